@@ -1,1 +1,39 @@
-//! In preparation.
+//! Compliant contacts: force laws, overlap, its gradient and Hessian, one contact's stiffness.
+//!
+//! A finger and a body that are pressed together are modelled by the overlap `delta` of their
+//! undeformed shapes, and a [`Law`] that gives the contact force as a function of it. From the
+//! gradient and the Hessian of the [`Overlap`] follows the [`Contact`]'s share
+//!
+//! `f'(delta) grad grad^T + f(delta) D^2 delta`
+//!
+//! of the stiffness of a grasp [LBR, eq. 6]. This crate knows one contact at a time.
+//!
+//! ```
+//! use clench_contact::{Contact, Law, Order};
+//! use clench_screw::Vector;
+//!
+//! // A disc of radius 0.5 mm on an edge along x, at (2, 0) mm, k = 10 N/mm, pressed by 1 N.
+//! let law = Law::linear(10.0)?;
+//! let point = Vector::new([2.0, 0.0]);
+//! let contact = Contact::<2, 1>::new(point, Vector::new([0.0, 1.0]), 0.5, law, 1.0)?;
+//! assert_eq!(contact.overlap().depth(), 0.1);
+//!
+//! // About the origin: k * 2^2 from the lever arm, and the force times the distance of the
+//! // finger's center behind the origin, 0.4 mm.
+//! let share = contact.stiffness(Vector::ZERO, Order::Second);
+//! assert_eq!(share.rotational[0][0], 10.0 * 2.0 * 2.0 + 1.0 * 0.4);
+//! # Ok::<(), clench_contact::ContactError>(())
+//! ```
+
+mod law;
+
+mod overlap;
+
+mod contact;
+
+mod error;
+
+pub use contact::{Contact, Order};
+pub use error::ContactError;
+pub use law::{Law, Linear, Power};
+pub use overlap::Overlap;

@@ -76,9 +76,10 @@ fn sweep<const N: usize>(a: &mut Mat<N, N>, basis: &mut Mat<N, N>) -> bool {
 /// The rotation in the plane (p, q) that makes `a_pq` zero.
 fn rotate<const N: usize>(a: &mut Mat<N, N>, basis: &mut Mat<N, N>, p: usize, q: usize) {
     let half_cotangent = (a[q][q] - a[p][p]) / (2.0 * a[p][q]);
-    // The smaller of the two angles; copysign keeps 45 degrees for equal diagonal entries.
-    let t = 1.0_f64.copysign(half_cotangent) / (half_cotangent.abs() + half_cotangent.hypot(1.0));
-    let c = 1.0 / t.hypot(1.0);
+    // The smaller of the two angles; copysign keeps 45 degrees for equal diagonal entries,
+    // and an overflowing square gives the angle 0.
+    let t = 1.0_f64.copysign(half_cotangent) / (half_cotangent.abs() + (half_cotangent * half_cotangent + 1.0).sqrt());
+    let c = 1.0 / (t * t + 1.0).sqrt();
     let s = t * c;
     let shift = t * a[p][q];
     a[p][p] -= shift;

@@ -1,0 +1,39 @@
+//! `f = k delta`.
+
+use crate::ContactError;
+use crate::error::positive;
+
+/// A spring of constant stiffness [LBR, eq. 3].
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Linear {
+    k: f64,
+}
+
+impl Linear {
+    /// The law with `stiffness` [force / length].
+    ///
+    /// # Errors
+    ///
+    /// [`ContactError::NotPositive`] unless the stiffness is positive and finite.
+    pub fn new(stiffness: f64) -> Result<Self, ContactError> {
+        Ok(Self { k: positive("stiffness", stiffness)? })
+    }
+
+    /// `k` [force / length].
+    #[must_use]
+    pub const fn stiffness(&self) -> f64 {
+        self.k
+    }
+
+    pub(super) fn force(&self, overlap: f64) -> f64 {
+        self.k * overlap
+    }
+
+    pub(super) fn energy(&self, overlap: f64) -> f64 {
+        0.5 * self.k * overlap * overlap
+    }
+
+    pub(super) fn overlap(&self, force: f64) -> f64 {
+        force / self.k
+    }
+}
