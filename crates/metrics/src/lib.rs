@@ -1,1 +1,42 @@
-//! In preparation.
+//! Frame-invariant quality of a compliant grasp.
+//!
+//! From the stiffness of a grasp, and nothing else about it, follow numbers that do not depend on
+//! the frame: the principal translational and rotational stiffnesses and the center of compliance
+//! ([`Principal`], LBR section 3), and with the body's shape the equivalent stiffness and the
+//! quality measure ([`Quality`], LBR section 4). The plane and space share [`Principal`].
+//!
+//! ```
+//! use clench_metrics::{LimitedBy, Principal, Quality};
+//! use clench_screw::{Frame, Mat, Vector, planar::Stiffness};
+//! use clench_shape::Polygon;
+//!
+//! // A square of side 2 on four springs: 2 along x, 3 along y, 1 against rotation about (1, 0).
+//! let about_center = Stiffness {
+//!     translational: Mat::new([[2.0, 0.0], [0.0, 3.0]]),
+//!     coupling: Mat::ZERO,
+//!     rotational: Mat::new([[1.0]]),
+//! };
+//! let stiffness = about_center.to_parent(&Frame::at([1.0, 0.0].into()));
+//! let principal = Principal::of(Vector::ZERO, &stiffness)?;
+//! assert_eq!(principal.center(), Vector::new([1.0, 0.0]));
+//! assert_eq!(principal.translational().values, [2.0, 3.0]);
+//!
+//! let square = Polygon::new(&[[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]])?;
+//! let quality = Quality::of(&principal, &square);
+//! // The farthest corner is (-1, +-1), at a squared distance of 5.
+//! assert_eq!(quality.limited_by, LimitedBy::Rotation);
+//! assert!((quality.value - 1.0 / 5.0).abs() < 1e-15);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+
+mod principal;
+
+mod quality;
+mod worst_point;
+
+mod error;
+
+pub use error::MetricsError;
+pub use principal::Principal;
+pub use quality::{LimitedBy, Quality};
+pub use worst_point::WorstPoint;

@@ -1,0 +1,43 @@
+//! Why a stiffness has no principal parameters.
+
+use clench_screw::ScrewError;
+
+/// What a stiffness lacks.
+///
+/// Directions are those of the frame that the stiffness is written in, padded with zeros in the
+/// plane.
+#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum MetricsError {
+    /// An entry of a block of the stiffness is infinite or not a number.
+    #[error("the stiffness has no principal parameters: {0}")]
+    NotFinite(#[from] ScrewError),
+    /// The body is free to translate, or pushed away when it does.
+    #[error(
+        "the body is not held against translation along {direction:?}: \
+         the stiffness there is {value:e}, the largest is {largest:e}"
+    )]
+    TranslationNotHeld {
+        /// Unit direction.
+        direction: [f64; 3],
+        /// The principal translational stiffness along it [force / length].
+        value: f64,
+        /// The largest principal translational stiffness.
+        largest: f64,
+    },
+    /// The body is free to rotate, or pushed away when it does.
+    #[error(
+        "the body is not held against rotation about {axis:?} through {center:?}: \
+         the stiffness there is {value:e}, which is below the rounding error of {scale:e}"
+    )]
+    RotationNotHeld {
+        /// Unit direction of the rotation; in the plane `[0, 0, 1]`.
+        axis: [f64; 3],
+        /// The center of compliance, about which the body would turn.
+        center: [f64; 3],
+        /// The principal rotational stiffness [force * length].
+        value: f64,
+        /// The rotational stiffness felt at the origin of the computation.
+        scale: f64,
+    },
+}

@@ -1,0 +1,106 @@
+//! A convex polygon of few vertices, cut by half-planes.
+
+use clench_screw::Vector;
+use clench_screw::planar::cross;
+
+/// A face starts as a window of 4 vertices, and each of its at most 8 half-planes adds one.
+const CAPACITY: usize = 12;
+
+/// A convex polygon, counter-clockwise; empty when nothing is left.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Convex {
+    vertices: [Vector<2>; CAPACITY],
+    count: usize,
+}
+
+impl Convex {
+    /// The parallelogram with the given center, spanned by `+-u` and `+-v`, with `u x v > 0`.
+    pub(super) fn parallelogram(center: Vector<2>, u: Vector<2>, v: Vector<2>) -> Self {
+        let mut vertices = [Vector::ZERO; CAPACITY];
+        vertices[0] = center - u - v;
+        vertices[1] = center + u - v;
+        vertices[2] = center + u + v;
+        vertices[3] = center - u + v;
+        Self { vertices, count: 4 }
+    }
+
+    pub(super) fn vertices(&self) -> &[Vector<2>] {
+        &self.vertices[..self.count]
+    }
+
+    /// The edges, from each vertex to the next.
+    pub(super) fn edges(&self) -> impl Iterator<Item = (Vector<2>, Vector<2>)> + '_ {
+        let next = |i: usize| if i + 1 < self.count { i + 1 } else { 0 };
+        (0..self.count).map(move |i| (self.vertices[i], self.vertices[next(i)]))
+    }
+
+    /// What of it fulfils `g . d <= bound`.
+    #[must_use]
+    pub(super) fn cut(&self, g: Vector<2>, bound: f64) -> Self {
+        let mut kept = Self { vertices: [Vector::ZERO; CAPACITY], count: 0 };
+        for (a, b) in self.edges() {
+            let (excess_a, excess_b) = (g.dot(a) - bound, g.dot(b) - bound);
+            if excess_a <= 0.0 {
+                kept.push(a);
+            }
+            if (excess_a < 0.0 && excess_b > 0.0) || (excess_a > 0.0 && excess_b < 0.0) {
+                kept.push(a + (b - a) * (excess_a / (excess_a - excess_b)));
+            }
+        }
+        kept
+    }
+
+    /// What of the stretch `[from, to]` of the line `start + t direction` lies inside.
+    pub(super) fn clip(
+        &self,
+        (start, direction): (Vector<2>, Vector<2>),
+        (mut from, mut to): (f64, f64),
+    ) -> Option<(f64, f64)> {
+        for (a, b) in self.edges() {
+            let (inside, slope) = (cross(b - a, start - a), cross(b - a, direction));
+            if slope > 0.0 {
+                from = from.max(-inside / slope);
+            } else if slope < 0.0 {
+                to = to.min(-inside / slope);
+            } else if inside < 0.0 {
+                return None;
+            }
+        }
+        (self.count > 0 && from < to).then_some((from, to))
+    }
+
+    fn push(&mut self, vertex: Vector<2>) {
+        if self.count < CAPACITY {
+            self.vertices[self.count] = vertex;
+            self.count += 1;
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn square() -> Convex {
+        Convex::parallelogram(Vector::ZERO, Vector::new([1.0, 0.0]), Vector::new([0.0, 1.0]))
+    }
+
+    #[test]
+    fn a_cut_keeps_what_fulfils_the_inequality() {
+        let half = square().cut(Vector::new([1.0, 0.0]), 0.5);
+        let expected = [[-1.0, -1.0], [0.5, -1.0], [0.5, 1.0], [-1.0, 1.0]].map(Vector::new);
+        assert_eq!(half.vertices(), expected);
+        assert!(square().cut(Vector::new([1.0, 0.0]), -2.0).vertices().is_empty());
+        assert_eq!(square().cut(Vector::new([1.0, 1.0]), 5.0).vertices(), square().vertices());
+    }
+
+    #[test]
+    fn a_line_is_clipped_to_what_lies_inside() {
+        let line = |x: f64, y: f64| (Vector::new([x, y]), Vector::new([1.0, 0.0]));
+        let all = (f64::NEG_INFINITY, f64::INFINITY);
+        assert_eq!(square().clip(line(-3.0, 0.0), all), Some((2.0, 4.0)));
+        assert_eq!(square().clip(line(-3.0, 0.0), (0.0, 2.5)), Some((2.0, 2.5)));
+        assert_eq!(square().clip(line(-3.0, 0.0), (0.0, 1.5)), None);
+        assert_eq!(square().clip(line(-3.0, 2.0), all), None);
+    }
+}

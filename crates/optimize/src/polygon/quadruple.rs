@@ -1,0 +1,344 @@
+//! The best placement of four fingers on four given edges, by finite enumeration.
+
+use clench_screw::planar::{cross, quarter_turn};
+use clench_screw::{Mat, Vector};
+
+use super::convex::Convex;
+use super::ratio::stationary;
+use super::scene::{Ridge, Scene, Support};
+
+/// Two directions in the plane of `z` are parallel when the sine of their angle is below this
+/// many units of rounding; `Z` is orthonormal to a few of them.
+const PARALLEL: f64 = 64.0 * f64::EPSILON;
+
+/// The window of possible centers of compliance is drawn wider by this factor, so that its own
+/// sides never touch what is feasible.
+const WINDOW_MARGIN: f64 = 1.25;
+
+/// A placement: center of compliance `d` about the part's center, and `z` with `mu = |z|^2`.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Peak {
+    pub(super) equivalent: f64,
+    pub(super) d: Vector<2>,
+    pub(super) z: Vector<2>,
+}
+
+/// `low <= a . d + z . z_coordinates <= high`.
+#[derive(Clone, Copy, Debug)]
+struct Row {
+    a: Vector<2>,
+    z: Vector<2>,
+    low: f64,
+    high: f64,
+}
+
+/// Four edges in the coordinates `(d, z)` of [`super`].
+#[derive(Clone, Debug)]
+pub(super) struct Quadruple<'a> {
+    scene: &'a Scene<'a>,
+    supports: [&'a Support; 4],
+    /// Rows of `Z`.
+    null: [Vector<2>; 4],
+    /// Normals of the two sides of the cone in which all contact forces push.
+    cone: [Vector<2>; 2],
+    /// Whether two fingers share an edge; their exchange turns one cone into the other.
+    exchangeable: bool,
+    window_center: Vector<2>,
+    window_half: Vector<2>,
+}
+
+impl<'a> Quadruple<'a> {
+    /// `None` when no four forces along these normals can all push and balance.
+    pub(super) fn new(scene: &'a Scene<'a>, edges: [usize; 4]) -> Option<Self> {
+        let supports = edges.map(|e| &scene.supports[e]);
+        let scaled = supports.map(|s| s.normal * s.weight);
+        let null = null_space(&scaled);
+        let cone = pushing_cone(&null)?;
+        let gram = scaled.iter().fold(Mat::<2, 2>::ZERO, |sum, &n| sum + Mat::outer(n, n));
+        let inverse = inverse(&gram)?;
+        // d = J (N N^T)^-1 N s is linear in s, so its range is a box about its middle.
+        let (mut window_center, mut window_half) = (Vector::ZERO, Vector::ZERO);
+        for (support, n) in supports.iter().zip(scaled) {
+            let per_moment = -quarter_turn(inverse * n);
+            window_center += per_moment * (0.5 * (support.low + support.high));
+            let half = 0.5 * (support.high - support.low) * WINDOW_MARGIN;
+            window_half += Vector::from_fn(|i| per_moment[i].abs() * half);
+        }
+        let exchangeable = edges.windows(2).any(|pair| pair[0] == pair[1]);
+        Some(Self { scene, supports, null, cone, exchangeable, window_center, window_half })
+    }
+
+    /// An upper bound of `mu_eq` over all placements on these edges.
+    ///
+    /// `mu = min over c of sum (s_i - a_i . c)^2`, so any `c` bounds it from above, here the
+    /// middle of the window; and `rho_max(d)^2 >= r_0^2 + |d|^2`, as half of the part's extreme
+    /// corners lie behind its center.
+    pub(super) fn bound(&self) -> f64 {
+        let c = self.window_center;
+        let mu: f64 = self
+            .supports
+            .iter()
+            .map(|s| {
+                let at = s.arm.dot(c);
+                (s.low - at).abs().max((s.high - at).abs()).powi(2)
+            })
+            .sum();
+        let nearest = Vector::<2>::from_fn(|i| (c[i].abs() - self.window_half[i]).max(0.0));
+        mu / (self.scene.radius_squared + nearest.norm_squared())
+    }
+
+    /// The placement of largest `mu_eq`, if that exceeds `floor`.
+    pub(super) fn peak(&self, floor: f64) -> Option<Peak> {
+        let mut best = Peak { equivalent: floor, d: Vector::ZERO, z: Vector::ZERO };
+        let cones: &[f64] = if self.exchangeable { &[1.0] } else { &[1.0, -1.0] };
+        for &sign in cones {
+            let rows = self.rows(sign);
+            for p in 0..5 {
+                for q in p + 1..6 {
+                    self.climb_faces(&rows, (p, q), &mut best);
+                }
+            }
+        }
+        (best.equivalent > floor).then_some(best)
+    }
+
+    /// The scaled moments `s` of a placement, within their limits.
+    pub(super) fn moments(&self, peak: &Peak) -> [f64; 4] {
+        std::array::from_fn(|i| {
+            let s = self.supports[i].arm.dot(peak.d) + self.null[i].dot(peak.z);
+            s.clamp(self.supports[i].low, self.supports[i].high)
+        })
+    }
+
+    /// The shares of the balancing contact forces.
+    pub(super) fn shares(&self, peak: &Peak) -> [f64; 4] {
+        let turned = -quarter_turn(peak.z);
+        let forces: [f64; 4] =
+            std::array::from_fn(|i| self.null[i].dot(turned) * self.supports[i].weight);
+        let total: f64 = forces.iter().sum();
+        forces.map(|f| (f / total).max(0.0))
+    }
+
+    /// The four limits, and the two sides of the cone (`sign` 1) or of its opposite.
+    fn rows(&self, sign: f64) -> [Row; 6] {
+        std::array::from_fn(|i| match self.supports.get(i) {
+            Some(s) => Row { a: s.arm, z: self.null[i], low: s.low, high: s.high },
+            None => {
+                let z = self.cone[i - 4] * sign;
+                Row { a: Vector::ZERO, z, low: 0.0, high: f64::INFINITY }
+            }
+        })
+    }
+
+    /// Climbs all faces on which rows `p` and `q` are active, at either of their limits.
+    fn climb_faces(&self, rows: &[Row; 6], (p, q): (usize, usize), best: &mut Peak) {
+        let (first, second) = (&rows[p], &rows[q]);
+        let determinant = cross(first.z, second.z);
+        let size = (first.z.norm_squared() * second.z.norm_squared()).sqrt();
+        // Two sides of the cone meet in z = 0 only; parallel rows have other partners.
+        if p >= 4 || determinant.abs() <= PARALLEL * size {
+            return;
+        }
+        // z = solve (c - A d)
+        let solve = Mat::new([
+            [second.z[1] / determinant, -first.z[1] / determinant],
+            [-second.z[0] / determinant, first.z[0] / determinant],
+        ]);
+        let arms = Mat::new([first.a.to_array(), second.a.to_array()]);
+        let slope = solve * arms * -1.0;
+        for c in [first.low, first.high] {
+            for e in [second.low, second.high] {
+                if e.is_finite() {
+                    let face = Face { base: solve * Vector::new([c, e]), slope };
+                    self.climb(&face, rows, (p, q), best);
+                }
+            }
+        }
+    }
+
+    /// Raises `best` to the largest ratio on one face, if that is larger.
+    fn climb(&self, face: &Face, rows: &[Row; 6], active: (usize, usize), best: &mut Peak) {
+        let farthest_z = face.at(self.window_center).norm()
+            + face.slope.column(0).norm() * self.window_half[0]
+            + face.slope.column(1).norm() * self.window_half[1];
+        if farthest_z * farthest_z <= best.equivalent * self.scene.radius_squared {
+            return;
+        }
+        let Some(region) = self.region(face, rows, active) else { return };
+        let mut farthest_z = 0.0_f64;
+        for (a, b) in region.edges() {
+            farthest_z = farthest_z.max(face.at(a).norm_squared());
+            let near = distance_squared_to_origin(a, b);
+            let far_z = face.at(a).norm_squared().max(face.at(b).norm_squared());
+            if far_z > best.equivalent * (self.scene.radius_squared + near) {
+                self.climb_edge(face, a, b, best);
+            }
+        }
+        if farthest_z > best.equivalent * self.scene.radius_squared {
+            self.climb_ridges(face, &region, best);
+        }
+    }
+
+    /// Where on the plane of `d` the face fulfils all other rows.
+    fn region(&self, face: &Face, rows: &[Row; 6], active: (usize, usize)) -> Option<Convex> {
+        let [half_x, half_y] = self.window_half.to_array();
+        let mut region = Convex::parallelogram(
+            self.window_center,
+            Vector::new([half_x, 0.0]),
+            Vector::new([0.0, half_y]),
+        );
+        for (i, row) in rows.iter().enumerate() {
+            if i == active.0 || i == active.1 {
+                continue;
+            }
+            let g = row.a + face.slope.transpose() * row.z;
+            let offset = row.z.dot(face.base);
+            let (low, high) = (row.low - offset, row.high - offset);
+            let middle = g.dot(self.window_center);
+            let spread = g[0].abs() * half_x + g[1].abs() * half_y;
+            if middle + spread < low || middle - spread > high {
+                return None;
+            }
+            if middle - spread < low {
+                region = region.cut(-g, -low);
+            }
+            if middle + spread > high {
+                region = region.cut(g, high);
+            }
+            if region.vertices().is_empty() {
+                return None;
+            }
+        }
+        Some(region)
+    }
+
+    fn climb_edge(&self, face: &Face, a: Vector<2>, b: Vector<2>, best: &mut Peak) {
+        let outline = self.scene.part.outline();
+        let center = self.scene.center;
+        for stretch in outline.farthest_along(a + center, b + center) {
+            let corner = outline.corners()[stretch.corner] - center;
+            face.climb_line((a, b - a), (stretch.from, stretch.to), corner, best);
+        }
+    }
+
+    fn climb_ridges(&self, face: &Face, region: &Convex, best: &mut Peak) {
+        let farthest = self.scene.farthest(region.vertices()[0]);
+        // A cell is convex: a region with all its vertices in one cell meets no ridge.
+        if region.vertices().iter().all(|&d| self.scene.farthest(d) == farthest) {
+            return;
+        }
+        for Ridge { corner, line, stretch } in &self.scene.ridges {
+            if let Some((from, to)) = region.clip(*line, *stretch) {
+                let (start, direction) = *line;
+                let clipped = (start + direction * from, direction * (to - from));
+                face.climb_line(clipped, (0.0, 1.0), *corner, best);
+            }
+        }
+    }
+}
+
+/// A face of the feasible set: `z = base + slope d`.
+#[derive(Clone, Copy, Debug)]
+struct Face {
+    base: Vector<2>,
+    slope: Mat<2, 2>,
+}
+
+impl Face {
+    fn at(&self, d: Vector<2>) -> Vector<2> {
+        self.base + self.slope * d
+    }
+
+    /// Raises `best` to the largest ratio on the stretch `[from, to]` of the line
+    /// `start + t step`, all of whose points have `corner` as their farthest.
+    fn climb_line(
+        &self,
+        (start, step): (Vector<2>, Vector<2>),
+        (from, to): (f64, f64),
+        corner: Vector<2>,
+        best: &mut Peak,
+    ) {
+        let top = (self.at(start), self.slope * step);
+        let bottom = (start - corner, step);
+        let [t0, t1] = stationary(top, bottom);
+        for t in [from, to, t0, t1] {
+            if t >= from && t <= to {
+                let z = top.0 + top.1 * t;
+                let reach = bottom.0 + bottom.1 * t;
+                let equivalent = z.norm_squared() / reach.norm_squared();
+                if equivalent > best.equivalent {
+                    *best = Peak { equivalent, d: start + step * t, z };
+                }
+            }
+        }
+    }
+}
+
+/// The rows of an orthonormal basis of the null space of the 2 x 4 matrix with these columns.
+///
+/// Gram-Schmidt on the rows, then on the two unit vectors that are farthest from them.
+fn null_space(columns: &[Vector<2>; 4]) -> [Vector<2>; 4] {
+    let row = |i: usize| Vector::<4>::from_fn(|j| columns[j][i]);
+    let mut basis = [Vector::<4>::ZERO; 4];
+    let mut used = [false; 4];
+    // Rows of normals that span the plane: the longer one first.
+    let (x, y) = (row(0), row(1));
+    let rows = if x.norm_squared() >= y.norm_squared() { [x, y] } else { [y, x] };
+    basis[0] = orthogonal_unit(rows[0], &[]);
+    basis[1] = orthogonal_unit(rows[1], &basis[..1]);
+    for count in 2..4 {
+        let (known, rest) = basis.split_at_mut(count);
+        let height = |j: usize| 1.0 - known.iter().map(|b| b[j] * b[j]).sum::<f64>();
+        let free = (0..4).filter(|&j| !used[j]);
+        let Some(axis) = free.max_by(|&i, &j| height(i).total_cmp(&height(j))) else { break };
+        used[axis] = true;
+        let unit = Vector::from_fn(|j| if j == axis { 1.0 } else { 0.0 });
+        rest[0] = orthogonal_unit(unit, known);
+    }
+    std::array::from_fn(|i| Vector::new([basis[2][i], basis[3][i]]))
+}
+
+/// The unit vector along what of `v` is orthogonal to the orthonormal `basis`; subtracted twice,
+/// so that it is orthogonal to working precision.
+fn orthogonal_unit(v: Vector<4>, basis: &[Vector<4>]) -> Vector<4> {
+    let mut v = v;
+    for _ in 0..2 {
+        for &b in basis {
+            v = v - b * b.dot(v);
+        }
+    }
+    let length = v.norm();
+    if length > 0.0 { v * length.recip() } else { v }
+}
+
+/// The normals of the two sides of the cone of `z` in which all `Z_i . (J z)` are positive.
+fn pushing_cone(null: &[Vector<2>; 4]) -> Option<[Vector<2>; 2]> {
+    if null.iter().any(|z| z.norm_squared() <= PARALLEL * PARALLEL) {
+        return None;
+    }
+    // All Z_i lie between the extreme two, which are less than half a turn apart.
+    let extreme = |turn: f64| {
+        null.iter().copied().find(|&e| null.iter().all(|&z| turn * cross(e, z) >= 0.0))
+    };
+    let (right, left) = (extreme(1.0)?, extreme(-1.0)?);
+    let size = (right.norm_squared() * left.norm_squared()).sqrt();
+    if cross(right, left) <= PARALLEL * size {
+        return None;
+    }
+    // Z . (J z) = (J^T Z) . z, and J^T is the quarter turn.
+    Some([quarter_turn(right), quarter_turn(left)])
+}
+
+fn inverse(a: &Mat<2, 2>) -> Option<Mat<2, 2>> {
+    let determinant = a[0][0] * a[1][1] - a[0][1] * a[1][0];
+    (determinant > PARALLEL * a[0][0] * a[1][1]).then(|| {
+        Mat::new([[a[1][1], -a[0][1]], [-a[1][0], a[0][0]]]) * determinant.recip()
+    })
+}
+
+fn distance_squared_to_origin(a: Vector<2>, b: Vector<2>) -> f64 {
+    let step = b - a;
+    let t = (-a.dot(step) / step.norm_squared()).clamp(0.0, 1.0);
+    // Two equal ends make t NaN, and the distance that of the end.
+    if t.is_nan() { a.norm_squared() } else { (a + step * t).norm_squared() }
+}

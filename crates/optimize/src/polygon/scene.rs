@@ -1,0 +1,128 @@
+//! What the searches need to know of each edge, about the part's geometric center.
+
+use clench_screw::planar::{cross, quarter_turn};
+use clench_screw::{Vector, Wrench};
+use clench_shape::Edge;
+
+use super::Part;
+
+/// A place along an edge within this many units of rounding of an end, times the sizes that it
+/// was computed from, is that end.
+const AT_END: f64 = 64.0 * f64::EPSILON;
+
+/// An edge as a range of moments.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Support {
+    /// The unit normal into the part.
+    pub(super) normal: Vector<2>,
+    /// `k` [force / length].
+    pub(super) stiffness: f64,
+    /// `sqrt(k)`.
+    pub(super) weight: f64,
+    /// `a = sqrt(k) J n`: the scaled moment of the normal through `d` is `a . d`.
+    pub(super) arm: Vector<2>,
+    /// The least and the largest scaled moment `sqrt(k) gamma` of the normal on this edge.
+    pub(super) low: f64,
+    pub(super) high: f64,
+    /// `k (cos 2 phi, sin 2 phi)` for the normal's direction `phi`.
+    pub(super) double_angle: Vector<2>,
+}
+
+/// A part seen from its geometric center.
+#[derive(Clone, Debug)]
+pub(super) struct Scene<'a> {
+    pub(super) part: &'a Part,
+    /// The geometric center: the center of the smallest enclosing circle.
+    pub(super) center: Vector<2>,
+    /// The square of its radius.
+    pub(super) radius_squared: f64,
+    pub(super) supports: Vec<Support>,
+    /// Where two corners are equally far.
+    pub(super) ridges: Vec<Ridge>,
+}
+
+/// A boundary between two cells of the farthest-corner partition, relative to the center.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Ridge {
+    /// One of its two corners.
+    pub(super) corner: Vector<2>,
+    /// A point and the unit direction of its line.
+    pub(super) line: (Vector<2>, Vector<2>),
+    /// The stretch of the line that it is.
+    pub(super) stretch: (f64, f64),
+}
+
+impl<'a> Scene<'a> {
+    pub(super) fn new(part: &'a Part) -> Self {
+        let outline = part.outline();
+        let circle = outline.enclosing_circle();
+        let center = circle.center;
+        let edges = outline.edges().iter().zip(part.edge_stiffness());
+        let ridges = outline.partition().boundaries().iter().map(|b| Ridge {
+            corner: outline.corners()[b.corners.0] - center,
+            line: (b.middle - center, b.direction),
+            stretch: (b.from, b.to),
+        });
+        Self {
+            part,
+            center,
+            radius_squared: circle.radius * circle.radius,
+            supports: edges.map(|(edge, &k)| Support::new(edge, k, center)).collect(),
+            ridges: ridges.collect(),
+        }
+    }
+
+    /// The farthest corner of the point `d`, relative to the center.
+    pub(super) fn farthest(&self, d: Vector<2>) -> Vector<2> {
+        let outline = self.part.outline();
+        outline.corners()[outline.farthest(d + self.center).corner] - self.center
+    }
+
+    /// The point on `edge` whose normal has the scaled moment `s`.
+    pub(super) fn point_of_moment(&self, edge: usize, s: f64) -> Vector<2> {
+        let support = &self.supports[edge];
+        let edge = &self.part.outline().edges()[edge];
+        let start = support.weight * cross(edge.start() - self.center, support.normal);
+        let span = support.high - support.low;
+        let along = ((s - start) / span).abs();
+        let near = AT_END * (support.low.abs().max(support.high.abs()) / span + 1.0);
+        if along <= near {
+            return edge.start();
+        }
+        if along >= 1.0 - near {
+            return edge.end();
+        }
+        edge.start() + (edge.end() - edge.start()) * along
+    }
+
+    /// `sigma_min = (sum k - |sum k exp(2 i phi)|) / 2` of fingers on the given edges.
+    pub(super) fn sigma_min(&self, edges: &[usize]) -> f64 {
+        let supports = edges.iter().map(|&e| &self.supports[e]);
+        let (sum, turn) = supports.fold((0.0, Vector::ZERO), |(sum, turn), s| {
+            (sum + s.stiffness, turn + s.double_angle)
+        });
+        0.5 * (sum - turn.norm())
+    }
+}
+
+impl Support {
+    fn new(edge: &Edge, stiffness: f64, center: Vector<2>) -> Self {
+        let normal = edge.inward_normal();
+        let weight = stiffness.sqrt();
+        let moment = |point: Vector<2>| {
+            weight * Wrench::<2, 1>::of_force_at(normal, point - center).torque[0]
+        };
+        let (a, b) = (moment(edge.start()), moment(edge.end()));
+        let [x, y] = normal.to_array();
+        Self {
+            normal,
+            stiffness,
+            weight,
+            // J n is the quarter turn the other way.
+            arm: -quarter_turn(normal) * weight,
+            low: a.min(b),
+            high: a.max(b),
+            double_angle: Vector::new([x * x - y * y, 2.0 * x * y]) * stiffness,
+        }
+    }
+}

@@ -1,0 +1,19 @@
+//! What can be wrong with a grasp.
+
+/// Why a grasp was refused, or a question about it has no answer.
+#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum GraspError {
+    /// There is nothing that holds the body.
+    #[error("a grasp needs at least one contact, found none")]
+    NoContacts,
+    /// The stiffness exceeds the range of the numbers.
+    #[error(
+        "contact {contact} is out of range: its stiffness overflows; \
+         choose units in which lengths and forces are nearer to 1"
+    )]
+    OutOfRange {
+        /// The first contact whose share is not finite, from 0.
+        contact: usize,
+    },
+}

@@ -1,0 +1,72 @@
+//! Stability to first and second order.
+
+use clench_contact::Order;
+use clench_screw::Stiffness;
+use faer::{Mat, Side};
+
+use crate::Grasp;
+
+/// Eigenvalues of the scaled stiffness below this many units of rounding of the largest, per
+/// contact and row, count as zero.
+///
+/// Each entry sums one product per contact, and the eigenvalues of a symmetric matrix move by no
+/// more than the norm of its error; 8 leaves room for the normals and lever arms, which are
+/// rounded too.
+const ZERO_EIGENVALUE: f64 = 8.0 * f64::EPSILON;
+
+/// How a grasp returns after a small disturbance.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Stability {
+    /// Stable whatever the curvatures and the preload: the first-order terms suffice.
+    FirstOrder,
+    /// Stable by the second-order terms, which need a preload.
+    SecondOrder,
+    /// Some displacement costs no energy to second order.
+    Marginal,
+    /// Some displacement releases energy.
+    Unstable,
+}
+
+#[derive(Clone, Copy, PartialEq)]
+enum Sign {
+    Positive,
+    Zero,
+    Negative,
+}
+
+impl<const N: usize, const M: usize> Grasp<N, M> {
+    /// The class of the grasp [LBR, section 2]: the signs of the eigenvalues of its stiffness,
+    /// about the centroid and with torques divided by the grasp's length.
+    ///
+    /// The signs do not depend on frame and units, the eigenvalues do. That the fingers can only
+    /// push is not looked at: see [`Grasp::preloads`].
+    #[must_use]
+    pub fn stability(&self) -> Stability {
+        let smallest = |order| self.smallest_sign(&self.stiffness(self.centroid(), order));
+        match (smallest(Order::Second), smallest(Order::First)) {
+            (Sign::Positive, Sign::Positive) => Stability::FirstOrder,
+            (Sign::Positive, _) => Stability::SecondOrder,
+            (Sign::Zero, _) => Stability::Marginal,
+            (Sign::Negative, _) => Stability::Unstable,
+        }
+    }
+
+    fn smallest_sign(&self, stiffness: &Stiffness<N, M>) -> Sign {
+        // Contacts that all coincide, of pointed fingers, have no torque to scale.
+        let length = if self.length() > 0.0 { self.length() } else { 1.0 };
+        let unit = |i: usize| if i < N { 1.0 } else { length };
+        let size = N + M;
+        let scaled = Mat::from_fn(size, size, |i, j| stiffness.entry(i, j) / unit(i) / unit(j));
+        #[expect(clippy::expect_used, reason = "a grasp's stiffness is finite by construction")]
+        let values = scaled
+            .self_adjoint_eigenvalues(Side::Lower)
+            .expect("the eigenvalues of a finite symmetric matrix converge");
+        let largest = values.iter().fold(0.0, |m: f64, x| m.max(x.abs()));
+        let zero = ZERO_EIGENVALUE * (self.contacts().len() * size) as f64 * largest;
+        match values.iter().copied().fold(f64::INFINITY, f64::min) {
+            smallest if smallest > zero => Sign::Positive,
+            smallest if smallest >= -zero => Sign::Zero,
+            _ => Sign::Negative,
+        }
+    }
+}
