@@ -1,0 +1,3 @@
+//! The layers together, against the grasps of an independent program and the printed paper.
+
+mod cases;

@@ -1,0 +1,49 @@
+//! A finger that touches a part, and its shape on the page.
+
+use crate::error::{DrawError, Place};
+use crate::world_map::finite;
+
+/// How far a normal's length may be from 1: below what a picture shows.
+const UNIT_TOLERANCE: f64 = 1e-3;
+
+/// A finger, touching from outside.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Finger {
+    /// Where it touches.
+    pub point: [f64; 2],
+    /// The unit normal that points into the part.
+    pub inward_normal: [f64; 2],
+    /// The radius of a disc finger in world units; 0 for a pointed one.
+    pub radius: f64,
+    /// Its name; see [`Text`](crate::Text) for scripts. Empty for none.
+    pub label: String,
+    /// Its preload, shown after the name in grey. Empty for none.
+    pub preload: String,
+}
+
+impl Finger {
+    pub(crate) fn check(&self, index: usize) -> Result<(), DrawError> {
+        for value in self.point {
+            finite(value, Place::FingerPoint, index)?;
+        }
+        for value in self.inward_normal {
+            finite(value, Place::FingerNormal, index)?;
+        }
+        finite(self.radius, Place::FingerRadius, index)?;
+        if self.radius < 0.0 {
+            let (place, value) = (Place::FingerRadius, self.radius);
+            return Err(DrawError::NotASize { place, index, value });
+        }
+        let length = self.inward_normal[0].hypot(self.inward_normal[1]);
+        if (length - 1.0).abs() > UNIT_TOLERANCE {
+            return Err(DrawError::NormalNotUnit { finger: index, length });
+        }
+        Ok(())
+    }
+
+    /// The point this far along the normal and to its left; negative is outside the part.
+    pub(crate) fn offset(&self, along: f64, aside: f64) -> [f64; 2] {
+        let [x, y] = self.inward_normal;
+        [self.point[0] + along * x - aside * y, self.point[1] + along * y + aside * x]
+    }
+}

@@ -1,0 +1,150 @@
+//! The texts of a grasp picture.
+
+use crate::error::DrawError;
+use crate::grasp_drawing::{Drawing, PAD, WEDGE};
+use crate::grasp_picture::Mark;
+use crate::paint::Color;
+use crate::text::{Anchor, LABEL_SIZE, SMALL_SIZE, TITLE_SIZE, Text};
+
+/// Room kept free beside a label, in page units.
+const PADDING: f64 = 4.0;
+
+/// The width of what is drawn over its height from which the caption goes below.
+const WIDE: f64 = 1.7;
+
+impl Drawing<'_> {
+    pub(crate) fn finger_labels(&mut self) -> Result<(), DrawError> {
+        for finger in &self.picture.fingers {
+            let shown = if finger.preload.is_empty() {
+                finger.label.clone()
+            } else if finger.label.is_empty() {
+                finger.preload.clone()
+            } else {
+                format!("{}: {}", finger.label, finger.preload)
+            };
+            let out = [-finger.inward_normal[0], finger.inward_normal[1]];
+            let scale = 1.0 / self.figure.world_length(1.0);
+            let whole = self.whole(finger);
+            if finger.radius > 0.0 && whole && finger.radius * scale > LABEL_SIZE {
+                // Room inside the disc.
+                let center = finger.offset(-finger.radius, 0.0);
+                let text = Text::new(shown.as_str(), LABEL_SIZE).colored(Color::BLUE);
+                if text.page_size()[0] < 1.7 * finger.radius * scale {
+                    self.figure.text(center, [0.0, 0.0], &text)?;
+                    continue;
+                }
+            }
+            let depth = match (finger.radius > 0.0, whole) {
+                (false, _) => WEDGE[0],
+                (true, true) => 2.0 * finger.radius * scale,
+                (true, false) => PAD[0],
+            };
+            self.label(finger.point, &shown, Color::BLUE, out, depth + 5.0)?;
+        }
+        Ok(())
+    }
+
+    pub(crate) fn corner_labels(&mut self) -> Result<(), DrawError> {
+        let outline = &self.picture.outline;
+        for (corner, label) in (0..outline.len()).zip(&self.picture.corner_labels) {
+            let out = outward(outline, corner);
+            self.label(outline[corner], label, Color::INK, [out[0], -out[1]], 5.0)?;
+        }
+        Ok(())
+    }
+
+    pub(crate) fn mark_labels(&mut self) -> Result<(), DrawError> {
+        let down_right = [0.8, 0.6];
+        if let Some(Mark { point, label }) = &self.picture.center {
+            self.label(*point, label, Color::ORANGE, down_right, 9.0)?;
+        }
+        for Mark { point, label } in &self.picture.notes {
+            self.label(*point, label, Color::GREY, down_right, 5.0)?;
+        }
+        Ok(())
+    }
+
+    fn label(
+        &mut self,
+        at: [f64; 2],
+        label: &str,
+        color: Color,
+        toward: [f64; 2],
+        gap: f64,
+    ) -> Result<(), DrawError> {
+        if label.is_empty() {
+            return Ok(());
+        }
+        let text = Text::new(label, LABEL_SIZE).colored(color).with_halo();
+        let page = self.figure.to_page(at)?;
+        let [width, height] = text.page_size();
+        let center = self.labels.place([width + PADDING, height], page, toward, gap);
+        self.figure.caption(center, &text)
+    }
+
+    /// Beside what is drawn, or below it where that is wide; so it never covers anything.
+    pub(crate) fn caption(&mut self) -> Result<(), DrawError> {
+        let ink = self.figure.ink();
+        let [width, height] = ink.size();
+        let lines = &self.picture.caption;
+        let line = 1.55 * SMALL_SIZE;
+        let block = line * to_f64(lines.len().saturating_sub(1));
+        let start = if width > WIDE * height {
+            [ink.min[0], ink.max[1] + 1.8 * line]
+        } else {
+            [ink.max[0] + 2.0 * SMALL_SIZE, f64::midpoint(ink.min[1], ink.max[1]) - block / 2.0]
+        };
+        for (i, content) in lines.iter().enumerate() {
+            let text = Text::new(content.as_str(), SMALL_SIZE).anchored(Anchor::Start);
+            self.figure.caption([start[0], start[1] + line * to_f64(i)], &text)?;
+        }
+        Ok(())
+    }
+
+    pub(crate) fn title(&mut self) -> Result<(), DrawError> {
+        let Some(title) = &self.picture.title else {
+            return Ok(());
+        };
+        let ink = self.figure.ink();
+        let text = Text::new(title.as_str(), TITLE_SIZE).anchored(Anchor::Start);
+        self.figure.caption([ink.min[0], ink.min[1] - 1.4 * TITLE_SIZE], &text)
+    }
+}
+
+/// The unit direction that leads out of a ring at a corner: along the bisector, to the side
+/// that the ring's orientation says.
+fn outward(ring: &[[f64; 2]], corner: usize) -> [f64; 2] {
+    let at = |i: usize| ring[i % ring.len()];
+    let unit = |from: [f64; 2], to: [f64; 2]| {
+        let run = [to[0] - from[0], to[1] - from[1]];
+        let length = run[0].hypot(run[1]);
+        if length > 0.0 { run.map(|value| value / length) } else { [0.0, 0.0] }
+    };
+    let here = at(corner);
+    let into = unit(at(corner + ring.len() - 1), here);
+    let away = unit(here, at(corner + 1));
+    // Areas are taken about the corner, so that a far origin does not drown them.
+    let doubled_area: f64 = (0..ring.len())
+        .map(|i| {
+            let (a, b) = (at(i), at(i + 1));
+            (a[0] - here[0]) * (b[1] - here[1]) - (a[1] - here[1]) * (b[0] - here[0])
+        })
+        .sum();
+    // The right-hand side of a counter-clockwise ring is outside.
+    let side = if doubled_area < 0.0 { -1.0 } else { 1.0 };
+    let normal = [side * (into[1] + away[1]), -side * (into[0] + away[0])];
+    let length = normal[0].hypot(normal[1]);
+    if length > 0.0 {
+        normal.map(|value| value / length)
+    } else if into[0].hypot(into[1]) > 0.0 {
+        into
+    } else {
+        // Neighbouring corners coincide: every direction is as good.
+        [0.0, 1.0]
+    }
+}
+
+#[expect(clippy::cast_precision_loss, reason = "captions have fewer than 2^53 lines")]
+fn to_f64(count: usize) -> f64 {
+    count as f64
+}

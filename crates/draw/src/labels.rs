@@ -1,0 +1,97 @@
+//! Where labels go so that they cover neither lines nor one another.
+
+use crate::page_box::PageBox;
+
+/// Turns away from the wanted direction that are tried, in degrees.
+const TURNS: [f64; 15] = [
+    0.0, 20.0, -20.0, 40.0, -40.0, 60.0, -60.0, 85.0, -85.0, 110.0, -110.0, 140.0, -140.0, 165.0,
+    180.0,
+];
+
+/// Steps away from the point that are tried, in page units.
+const STEPS: [f64; 5] = [0.0, 5.0, 11.0, 18.0, 28.0];
+
+/// What a line under a label costs, against a turn of 20 degrees costing 1.
+const SOFT: f64 = 4.0;
+const HARD: f64 = 12.0;
+
+/// How bad it is to cover something.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Weight {
+    /// A thin auxiliary line; a halo keeps the label legible.
+    Soft,
+    /// An outline.
+    Hard,
+}
+
+/// The obstacles so far, in page units.
+#[derive(Debug, Default)]
+pub(crate) struct Labels {
+    boxes: Vec<PageBox>,
+    lines: Vec<([f64; 2], [f64; 2], Weight)>,
+}
+
+impl Labels {
+    pub(crate) fn avoid_box(&mut self, area: PageBox) {
+        self.boxes.push(area);
+    }
+
+    pub(crate) fn avoid_line(&mut self, from: [f64; 2], to: [f64; 2], weight: Weight) {
+        self.lines.push((from, to, weight));
+    }
+
+    pub(crate) fn avoid_ring(&mut self, ring: &[[f64; 2]], weight: Weight) {
+        for (i, &from) in ring.iter().enumerate() {
+            self.avoid_line(from, ring[(i + 1) % ring.len()], weight);
+        }
+    }
+
+    /// The centre for a label of this size at a point, as near as can be to the wanted
+    /// direction and gap; the label becomes an obstacle.
+    pub(crate) fn place(
+        &mut self,
+        size: [f64; 2],
+        at: [f64; 2],
+        toward: [f64; 2],
+        gap: f64,
+    ) -> [f64; 2] {
+        let mut best = (f64::INFINITY, at);
+        for turn in TURNS {
+            let (sin, cos) = turn.to_radians().sin_cos();
+            let way = [cos * toward[0] - sin * toward[1], sin * toward[0] + cos * toward[1]];
+            for step in STEPS {
+                // The label's edge, not its centre, keeps the gap.
+                let clear = gap + step + rim(size, way);
+                let center = [at[0] + clear * way[0], at[1] + clear * way[1]];
+                let cost =
+                    turn.abs() / 20.0 + step / 5.0 + self.cost(&PageBox::centered(center, size));
+                if cost < best.0 {
+                    best = (cost, center);
+                }
+            }
+        }
+        self.boxes.push(PageBox::centered(best.1, size));
+        best.1
+    }
+
+    fn cost(&self, label: &PageBox) -> f64 {
+        let area = label.size()[0] * label.size()[1];
+        let boxes: f64 = self.boxes.iter().map(|other| label.overlap(other)).sum();
+        let lines: f64 = self
+            .lines
+            .iter()
+            .filter(|(from, to, _)| label.inside_length(*from, *to) > 0.0)
+            .map(|(.., weight)| if *weight == Weight::Hard { HARD } else { SOFT })
+            .sum();
+        let covers = if boxes > 0.0 { 2.0 * HARD * (1.0 + boxes / area) } else { 0.0 };
+        covers + lines
+    }
+}
+
+/// The distance from a box's centre to its rim in a direction.
+fn rim(size: [f64; 2], way: [f64; 2]) -> f64 {
+    let across = |i: usize| {
+        if way[i] == 0.0 { f64::INFINITY } else { size[i] / 2.0 / way[i].abs() }
+    };
+    across(0).min(across(1))
+}

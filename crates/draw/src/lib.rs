@@ -1,0 +1,82 @@
+//! Pictures of parts, fingers, axes and energy ellipsoids.
+//!
+//! | to draw | use |
+//! | --- | --- |
+//! | a planar part with its fingers, centre of compliance and numbers | [`GraspPicture`] |
+//! | the energy ellipsoids of one planar grasp in two frames [LBR, Figs. 1 and 2] | [`EnergyEllipsoids`] |
+//! | anything else in the plane, to scale | [`Figure`] |
+//!
+//! This crate computes no metric: every number it shows is given to it, and what it works out
+//! itself is where things stand on the page. It takes plain arrays, so it draws what any
+//! program found. Pictures are SVG text; with the feature `png` also PNG files, whose letters
+//! come from a bundled font. The same input gives the same bytes.
+//!
+//! It is not a plotting library: there are no charts, and a scene of solids other than the two
+//! ellipsoids is better served by a renderer.
+//!
+//! LBR is Lin, Burdick, Rimon, "A Quality Measure for Compliant Grasps".
+//!
+//! ```
+//! use clench_draw::{Finger, GraspPicture, Mark};
+//!
+//! let finger = |label: &str, point, inward_normal| Finger {
+//!     point,
+//!     inward_normal,
+//!     label: label.into(),
+//!     ..Finger::default()
+//! };
+//! let picture = GraspPicture {
+//!     outline: vec![[0.0, 0.0], [4.0, 0.0], [4.0, 2.0], [0.0, 2.0]],
+//!     fingers: vec![finger("1", [2.0, 0.0], [0.0, 1.0]), finger("2", [2.0, 2.0], [0.0, -1.0])],
+//!     center: Some(Mark { point: [2.0, 1.0], label: "c".into() }),
+//!     caption: vec!["σ_{min} = 0".into()],
+//!     ..GraspPicture::default()
+//! };
+//! let svg = picture.figure()?.to_svg();
+//! // The part is fitted into 440 page units: 110 a unit.
+//! assert!(svg.contains("M0 300L440 300L440 80L0 80Z"));
+//! # Ok::<(), clench_draw::DrawError>(())
+//! ```
+
+mod finger;
+mod grasp_picture;
+
+mod grasp_drawing;
+mod grasp_labels;
+mod labels;
+
+mod energy_ellipsoids;
+mod energy_surface;
+
+mod energy_drawing;
+mod energy_frame;
+mod energy_scene;
+mod scene;
+mod solid_pieces;
+mod ticks;
+
+mod figure;
+#[cfg(feature = "png")]
+mod png;
+
+mod arc;
+mod page_box;
+mod paint;
+mod text;
+
+mod error;
+mod number;
+mod world_map;
+
+pub use arc::EllipseArc;
+pub use energy_ellipsoids::{EnergyEllipsoids, Layout};
+pub use energy_surface::{EnergySpace, EnergySurface, SpaceEllipse};
+pub use error::{DrawError, Place};
+pub use figure::Figure;
+pub use finger::Finger;
+pub use grasp_picture::{Circle, GraspPicture, Mark, Region};
+pub use page_box::PageBox;
+pub use paint::{Color, Dash, Paint, Stroke};
+#[cfg(feature = "png")]
+pub use png::RASTER_LIMIT;
+pub use text::{Anchor, Text};

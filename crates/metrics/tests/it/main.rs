@@ -1,0 +1,4 @@
+//! The tests of clench-metrics, in one binary.
+
+mod laws;
+mod limits;

@@ -1,0 +1,3 @@
+//! The tests of clench-optimize, in one binary.
+
+mod cases;

@@ -1,0 +1,219 @@
+//! Stiffness against the energy, and what no choice of frame, unit or order changes.
+
+use clench_contact::{Contact, Law, Order};
+use clench_screw::{Frame, Stiffness, Vector, planar, spatial};
+use clench_stiffness::{Grasp, Stability};
+use clench_testkit::{Random, assert_close};
+
+use crate::random::{balanced, net_wrench};
+
+fn largest<const N: usize, const M: usize>(k: &Stiffness<N, M>) -> f64 {
+    k.translational.max_abs().max(k.coupling.max_abs()).max(k.rotational.max_abs())
+}
+
+#[track_caller]
+fn same<const N: usize, const M: usize>(
+    found: &Stiffness<N, M>,
+    wanted: &Stiffness<N, M>,
+    tolerance: f64,
+    what: &str,
+) {
+    for i in 0..N + M {
+        for j in 0..N + M {
+            let place = format!("{what} ({i}, {j})");
+            assert_close(found.entry(i, j), wanted.entry(i, j), tolerance, largest(wanted), place);
+        }
+    }
+}
+
+/// The frame with the given `N + M` coordinates of the exponential chart.
+type Chart<const N: usize, const M: usize> = fn(&[f64]) -> Frame<N, M>;
+
+fn planar_chart(q: &[f64]) -> planar::Frame {
+    planar::Frame::new([q[0], q[1]], q[2])
+}
+
+fn spatial_chart(q: &[f64]) -> spatial::Frame {
+    spatial::Frame::new([q[0], q[1], q[2]], [q[3], q[4], q[5]])
+}
+
+fn laws<const N: usize, const M: usize>(chart: Chart<N, M>, seed: u64) {
+    let r = &mut Random::new(seed);
+    for _ in 0..20 {
+        let grasp = balanced::<N, M>(r, 4);
+        assert!(grasp.equilibrium().holds);
+        let stiffness = grasp.stiffness(Vector::ZERO, Order::Second);
+
+        // K is the second derivative of the energy: central differences of step h err by
+        // h^2 times fourth derivatives and by eps / h^2 times the energy, both below 1e-4 here.
+        let h = 1e-3;
+        let energy = |i: usize, s: f64, j: usize, t: f64| {
+            let mut q = vec![0.0; N + M];
+            q[i] += s * h;
+            q[j] += t * h;
+            grasp.potential_energy(&chart(&q))
+        };
+        let mut differences = Vec::new();
+        for i in 0..N + M {
+            for j in 0..N + M {
+                let mixed = energy(i, 1.0, j, 1.0) - energy(i, 1.0, j, -1.0)
+                    - energy(i, -1.0, j, 1.0)
+                    + energy(i, -1.0, j, -1.0);
+                differences.push((i, j, mixed / (4.0 * h * h)));
+            }
+        }
+        for (i, j, expected) in differences {
+            let what = format!("energy ({i}, {j})");
+            assert_close(stiffness.entry(i, j), expected, 1e-4, largest(&stiffness), what);
+        }
+
+        // In equilibrium K changes frame by congruence, wherever it is formed.
+        let frame = chart(&r.array::<6>(2.0)[..N + M]);
+        let origin = frame.origin();
+        let moved = stiffness.in_frame(&Frame::at(origin));
+        same(&grasp.stiffness(origin, Order::Second), &moved, 1e-13, "congruence");
+
+        // K_2 of flat faces is purely rotational and does not depend on the origin.
+        let curvature = |o| {
+            grasp.stiffness(o, Order::Second) + grasp.stiffness(o, Order::First) * -1.0
+        };
+        let (here, there) = (curvature(Vector::ZERO), curvature(origin));
+        let scale = largest(&stiffness);
+        assert!(here.coupling.max_abs() <= 1e-14 * scale);
+        assert!(here.translational.max_abs() <= 0.0);
+        assert!((here.rotational + there.rotational * -1.0).max_abs() <= 1e-13 * scale);
+
+        // Round fingers: the coupling block has no trace, in any frame (space only).
+        if N == M {
+            let trace: f64 = (0..N).map(|i| stiffness.in_frame(&frame).coupling[i][i]).sum();
+            assert_close(trace, 0.0, 1e-13, largest(&stiffness.in_frame(&frame)), "tr K_12");
+        }
+
+        // The order of the contacts does not matter beyond rounding, nor does a finger of
+        // stiffness 2 k and force 2 f in place of two that coincide.
+        let mut reversed = grasp.contacts().to_vec();
+        reversed.reverse();
+        let reversed = Grasp::new(reversed).unwrap();
+        same(&reversed.stiffness(origin, Order::Second), &moved, 1e-13, "permutation");
+    }
+}
+
+#[test]
+fn stiffness_obeys_its_laws_in_the_plane_and_in_space() {
+    laws(planar_chart, 21);
+    laws(spatial_chart, 22);
+}
+
+#[test]
+fn two_fingers_in_one_place_are_one_of_twice_the_stiffness() {
+    let place = |k: f64, f: f64| {
+        let (point, normal) = (Vector::new([1.0, 2.0]), Vector::new([0.6, 0.8]));
+        Contact::<2, 1>::new(point, normal, 0.5, Law::linear(k).unwrap(), f).unwrap()
+    };
+    let two = Grasp::new(vec![place(3.0, 0.5), place(3.0, 0.5)]).unwrap();
+    let one = Grasp::new(vec![place(6.0, 1.0)]).unwrap();
+    let about = Vector::new([0.5, 0.5]);
+    same(
+        &two.stiffness(about, Order::Second),
+        &one.stiffness(about, Order::Second),
+        1e-15,
+        "coincident",
+    );
+}
+
+#[test]
+fn lengths_and_forces_by_powers_of_four_change_the_units_exactly() {
+    let r = &mut Random::new(23);
+    for (length, force) in [(4.0, 1.0), (1.0 / 64.0, 16.0), (4.0_f64.powi(15), 4.0_f64.powi(-9))] {
+        let points: Vec<([f64; 2], [f64; 2], f64, f64, f64)> = (0..5)
+            .map(|_| {
+                let stiffness = r.between(0.5, 2.0);
+                (r.array(3.0), r.array(1.0), r.between(0.0, 1.0), stiffness, r.between(0.0, 1.0))
+            })
+            .collect();
+        let grasp = |l: f64, f: f64| {
+            let contacts = points.iter().map(|(p, n, radius, k, preload)| {
+                let law = Law::linear(k * f / l).unwrap();
+                let point = Vector::new(*p) * l;
+                Contact::<2, 1>::new(point, (*n).into(), radius * l, law, preload * f).unwrap()
+            });
+            Grasp::new(contacts.collect()).unwrap()
+        };
+        let (one, other) = (grasp(1.0, 1.0), grasp(length, force));
+        assert_eq!(other.centroid(), one.centroid() * length);
+        let k = |g: &Grasp<2, 1>| g.stiffness(g.centroid(), Order::Second);
+        assert_eq!(k(&other).translational, k(&one).translational * (force / length));
+        assert_eq!(k(&other).coupling, k(&one).coupling * force);
+        assert_eq!(k(&other).rotational, k(&one).rotational * (force * length));
+        assert_eq!(other.stability(), one.stability());
+        assert_eq!(other.preloads(), one.preloads());
+    }
+}
+
+/// The balanced preloads are all of them: each null vector balances, and their number is that of
+/// the contacts less the rank.
+#[test]
+fn null_vectors_balance_and_the_best_preload_maximises_the_weakest() {
+    let r = &mut Random::new(24);
+    for pairs in [2, 3, 4, 6] {
+        let grasp = balanced::<3, 3>(r, pairs);
+        let preloads = grasp.preloads();
+        let count = grasp.contacts().len();
+        assert_eq!(preloads.basis.len(), count - preloads.rank);
+        for shares in preloads.basis.iter().chain(preloads.best.as_ref().map(|b| &b.shares)) {
+            let contacts = grasp.contacts().iter().zip(shares).map(|(c, f)| {
+                let (point, normal) = (c.overlap().point(), c.overlap().normal());
+                c.unit_wrench(Vector::ZERO).force.norm() * f * point.norm().max(1.0) * normal.norm()
+            });
+            let scale: f64 = contacts.map(f64::abs).sum();
+            let net = grasp.contacts().iter().zip(shares).fold(
+                clench_screw::Wrench::<3, 3>::ZERO,
+                |sum, (c, f)| sum + c.unit_wrench(Vector::ZERO) * *f,
+            );
+            assert!(net.force.norm() <= 1e-13 * scale && net.torque.norm() <= 1e-13 * scale);
+        }
+        let best = preloads.best.expect("pairs balance with positive forces");
+        // Each pair can carry the same, so the weakest finger carries at least that.
+        assert!(best.margin >= 1.0 / count as f64 - 1e-9, "{}", best.margin);
+        // Random feasible preloads never have a stronger weakest finger.
+        for _ in 0..200 {
+            let mut shares = best.shares.clone();
+            for b in &preloads.basis {
+                let step = r.between(-0.3, 0.3);
+                shares.iter_mut().zip(b).for_each(|(f, x)| *f += step * x);
+            }
+            let total: f64 = shares.iter().sum();
+            let least = shares.iter().copied().fold(f64::INFINITY, f64::min);
+            assert!(total <= 0.0 || least / total <= best.margin + 1e-9);
+        }
+    }
+}
+
+#[test]
+fn the_net_wrench_is_the_sum_of_the_contact_forces() {
+    let r = &mut Random::new(25);
+    let grasp = balanced::<3, 3>(r, 3);
+    let (found, wanted) = (grasp.net_wrench(Vector::ZERO), net_wrench(&grasp));
+    for i in 0..3 {
+        assert_close(found.force[i], wanted.force[i], 1e-15, 4.0, "force");
+        assert_close(found.torque[i], wanted.torque[i], 1e-15, 8.0, "torque");
+    }
+}
+
+/// Two opposite fingers leave the body free along their faces. Turning stretches the distance
+/// between parallel faces to `h / cos(phi)`: that presses fingers which pinch a slab, and frees
+/// fingers which spread a slot, unless their radii exceed the half width.
+#[test]
+fn two_opposite_fingers_pinch_marginally_and_spread_unstably() {
+    let pair = |direction: f64, radius: f64| {
+        let law = Law::linear(10.0).unwrap();
+        let finger = |y: f64| {
+            let normal = Vector::new([0.0, y * direction]);
+            Contact::<2, 1>::new(Vector::new([0.0, y]), normal, radius, law, 1.0).unwrap()
+        };
+        Grasp::new(vec![finger(0.5), finger(-0.5)]).unwrap().stability()
+    };
+    assert_eq!(pair(-1.0, 0.0), Stability::Marginal);
+    assert_eq!(pair(1.0, 0.1), Stability::Unstable);
+    assert_eq!(pair(1.0, 0.7), Stability::Marginal);
+}

@@ -1,0 +1,65 @@
+//! Degenerate grasps, each with its exact answer or error.
+
+use clench_contact::{Contact, Law};
+use clench_screw::Vector;
+use clench_stiffness::{Grasp, GraspError, Stability};
+
+fn finger(x: f64, y: f64, nx: f64, ny: f64, preload: f64) -> Contact<2, 1> {
+    let law = Law::linear(1.0).unwrap();
+    Contact::new(Vector::new([x, y]), Vector::new([nx, ny]), 0.0, law, preload).unwrap()
+}
+
+#[test]
+fn a_grasp_needs_a_contact() {
+    assert_eq!(Grasp::<2, 1>::new(vec![]), Err(GraspError::NoContacts));
+}
+
+#[test]
+fn a_stiffness_that_overflows_is_refused_with_its_contact() {
+    let contacts = vec![finger(0.0, 0.0, 1.0, 0.0, 0.0), finger(1e200, 1e200, 0.0, 1.0, 0.0)];
+    assert_eq!(Grasp::new(contacts), Err(GraspError::OutOfRange { contact: 0 }));
+}
+
+#[test]
+fn one_finger_holds_nothing() {
+    let grasp = Grasp::new(vec![finger(1.0, 1.0, 0.0, 1.0, 0.0)]).unwrap();
+    assert_eq!(grasp.stability(), Stability::Marginal);
+    let preloads = grasp.preloads();
+    assert_eq!((preloads.rank, preloads.best, preloads.force_closure), (1, None, false));
+    assert!(grasp.equilibrium().holds);
+}
+
+#[test]
+fn unbalanced_preloads_are_shown_with_their_residual() {
+    let contacts = vec![finger(2.0, 0.0, 0.0, 1.0, 3.0), finger(2.0, 1.0, 0.0, -1.0, 1.0)];
+    let equilibrium = Grasp::new(contacts).unwrap().equilibrium();
+    assert!(!equilibrium.holds);
+    assert_eq!(equilibrium.residual.force, Vector::new([0.0, 2.0]));
+    assert_eq!(equilibrium.residual.torque, Vector::new([0.0]));
+}
+
+/// Four springs hold the part in every direction, yet it can be lifted away: the stiffness is
+/// positive definite, and there is no force closure.
+#[test]
+fn a_positive_definite_stiffness_is_not_force_closure() {
+    let contacts = vec![
+        finger(-1.0, 0.0, 0.0, 1.0, 0.0),
+        finger(1.0, 0.0, 0.0, 1.0, 0.0),
+        finger(-2.0, 1.0, 1.0, 0.0, 0.0),
+        finger(2.0, 1.0, -1.0, 0.0, 0.0),
+    ];
+    let grasp = Grasp::new(contacts).unwrap();
+    assert_eq!(grasp.stability(), Stability::FirstOrder);
+    let preloads = grasp.preloads();
+    assert_eq!((preloads.rank, preloads.force_closure), (3, false));
+    // The two that face each other balance alone: the others carry nothing.
+    let best = preloads.best.unwrap();
+    assert!(best.margin.abs() < 1e-15, "{}", best.margin);
+}
+
+#[test]
+fn coincident_contacts_of_pointed_fingers_are_judged_without_a_length() {
+    let grasp = Grasp::new(vec![finger(1.0, 1.0, 0.0, 1.0, 0.0); 3]).unwrap();
+    assert_eq!(grasp.stability(), Stability::Marginal);
+    assert_eq!(grasp.preloads().rank, 1);
+}

@@ -1,0 +1,48 @@
+//! Why a task did not finish.
+
+use std::io;
+
+/// Why a task did not finish.
+#[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
+pub(crate) enum Failure {
+    /// A file or folder of the repository could not be read.
+    #[error("cannot read {path}: {source}")]
+    Unreadable {
+        /// The path, from the root of the repository.
+        path: String,
+        /// What the system said.
+        source: io::Error,
+    },
+    /// A program could not be started.
+    #[error("cannot start `{command}`: {source}")]
+    NotStarted {
+        /// The whole command.
+        command: String,
+        /// What the system said.
+        source: io::Error,
+    },
+    /// `cargo metadata` refused the workspace.
+    #[error("`cargo metadata` failed:\n{message}")]
+    WorkspaceRefused {
+        /// What cargo printed.
+        message: String,
+    },
+    /// The answer of `cargo metadata` does not have the tables the checks read.
+    #[error("cannot read the answer of `cargo metadata`: {0}")]
+    WorkspaceUnknown(#[from] serde_json::Error),
+    /// A step of `cargo xtask ci` failed.
+    #[error("step `{step}` failed\n  mend: {mend}")]
+    StepFailed {
+        /// The step's name.
+        step: &'static str,
+        /// The command that mends it, or shows it alone.
+        mend: &'static str,
+    },
+    /// The repository breaks its own rules; the findings have been printed.
+    #[error("tidy has {count} findings\n  mend: as each finding says, then `cargo xtask tidy`")]
+    Untidy {
+        /// How many findings were printed.
+        count: usize,
+    },
+}
