@@ -1,3 +1,6 @@
 //! The tests of clench-optimize, in one binary.
 
 mod cases;
+mod laws;
+mod limits;
+mod sampling;
