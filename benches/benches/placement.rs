@@ -35,7 +35,7 @@ fn one_combination(c: &mut Criterion) {
         });
         start.elapsed()
     };
-    combinations.sort_by_key(short_run);
+    combinations.sort_by_cached_key(short_run);
     let mut group = c.benchmark_group("one four-finger combination, exactly");
     for (name, place) in [("median", combinations.len() / 2), ("slowest", combinations.len() - 1)] {
         let (part, edges) = &combinations[place];

@@ -2,7 +2,7 @@
 //!
 //! Run one with `cargo bench --package clench-benches --bench placement`.
 
-#![allow(clippy::expect_used, clippy::cast_precision_loss, reason = "fixed inputs of measurements")]
+#![allow(clippy::expect_used, reason = "fixed inputs of measurements")]
 
 use clench::optimize::polygon::Part;
 use clench::shape::{Polygon, PolygonError};

@@ -23,26 +23,16 @@ struct Step {
 
 impl Step {
     fn new(name: &'static str, arguments: impl Into<String>, mend: &'static str) -> Self {
-        Self {
-            name,
-            arguments: arguments.into(),
-            variable: None,
-            mend,
-        }
+        Self { name, arguments: arguments.into(), variable: None, mend }
     }
 
     fn with(self, name: &'static str, value: &'static str) -> Self {
-        Self {
-            variable: Some((name, value)),
-            ..self
-        }
+        Self { variable: Some((name, value)), ..self }
     }
 
     /// The step as one would type it.
     fn command(&self) -> String {
-        let variable = self
-            .variable
-            .map(|(name, value)| format!("{name}=\"{value}\" "));
+        let variable = self.variable.map(|(name, value)| format!("{name}=\"{value}\" "));
         format!("{}cargo {}", variable.unwrap_or_default(), self.arguments)
     }
 
@@ -54,21 +44,11 @@ impl Step {
             .envs(self.variable)
             .current_dir(ROOT)
             .status()
-            .map_err(|source| Failure::NotStarted {
-                command: self.command(),
-                source,
-            })?;
+            .map_err(|source| Failure::NotStarted { command: self.command(), source })?;
         if !status.success() {
-            return Err(Failure::StepFailed {
-                step: self.name,
-                mend: self.mend,
-            });
+            return Err(Failure::StepFailed { step: self.name, mend: self.mend });
         }
-        println!(
-            "== {}: passed in {:.1} s",
-            self.name,
-            start.elapsed().as_secs_f64()
-        );
+        println!("== {}: passed in {:.1} s", self.name, start.elapsed().as_secs_f64());
         Ok(())
     }
 }
@@ -103,11 +83,8 @@ fn steps(libraries: &[&Package]) -> Vec<Step> {
             "RUSTDOCFLAGS=\"-D warnings\" cargo doc --no-deps --all-features -p THE_CRATE",
         )
         .with("RUSTDOCFLAGS", "-D warnings"),
-        Step::new(
-            "tidy",
-            "xtask tidy",
-            "as each finding says, then cargo xtask tidy",
-        ),
+        Step::new("tidy", "xtask tidy", "as each finding says, then cargo xtask tidy"),
+        Step::new("paper", "xtask paper --check", "cargo xtask paper, and look at the change"),
     ];
     steps.extend(libraries.iter().flat_map(|library| alone(library)));
     // `--benches` in the profile of the tests: `cargo bench` would build every dependency again.
@@ -132,11 +109,7 @@ fn alone(library: &Package) -> Vec<Step> {
     let mend = "name the missing feature or dependency in the manifest of that crate";
     let mut steps = vec![
         Step::new("alone", format!("check --package {name} --locked"), mend),
-        Step::new(
-            "alone",
-            format!("check --package {name} --tests --locked"),
-            mend,
-        ),
+        Step::new("alone", format!("check --package {name} --tests --locked"), mend),
     ];
     if library.has_features() {
         let test = format!("test --package {name} --all-features --locked");
@@ -159,10 +132,7 @@ mod tests {
     fn steps_run_in_the_order_of_the_page_on_architecture() {
         let mut names: Vec<_> = sound_steps().iter().map(|step| step.name).collect();
         names.dedup();
-        assert_eq!(
-            names,
-            ["fmt", "clippy", "tests", "docs", "tidy", "alone", "benches"]
-        );
+        assert_eq!(names, ["fmt", "clippy", "tests", "docs", "tidy", "paper", "alone", "benches"]);
     }
 
     #[test]
@@ -183,10 +153,7 @@ mod tests {
 
     #[test]
     fn a_command_is_printed_with_its_variable_as_one_would_type_it() {
-        let docs = sound_steps()
-            .into_iter()
-            .find(|step| step.name == "docs")
-            .unwrap();
+        let docs = sound_steps().into_iter().find(|step| step.name == "docs").unwrap();
         assert_eq!(
             docs.command(),
             "RUSTDOCFLAGS=\"-D warnings\" cargo doc --workspace --all-features --no-deps --locked"

@@ -45,4 +45,30 @@ pub(crate) enum Failure {
         /// How many findings were printed.
         count: usize,
     },
+    /// A number of the paper could not be computed.
+    #[error("cannot recompute the paper: {0}")]
+    Paper(crate::paper::PaperError),
+    /// A figure could not be drawn.
+    #[error("cannot draw a figure of the paper: {0}")]
+    Figure(clench_draw::DrawError),
+    /// A file of the repository could not be written.
+    #[error("cannot write {path}: {source}")]
+    Unwritable {
+        /// The path, from the root of the repository.
+        path: String,
+        /// What the system said.
+        source: io::Error,
+    },
+    /// A made file is not the one that would be made now.
+    #[error("{path} is not what the code makes\n  mend: cargo xtask paper, and look at the change")]
+    Stale {
+        /// The path, from the root of the repository.
+        path: String,
+    },
+    /// Printed digits were not reproduced; the table has been printed.
+    #[error("{missed} printed numbers of the paper are missed, see the table")]
+    MissedDigits {
+        /// How many.
+        missed: usize,
+    },
 }

@@ -7,6 +7,7 @@
 
 mod ci;
 mod failure;
+mod paper;
 mod tidy;
 mod workspace;
 
@@ -17,6 +18,7 @@ usage: cargo xtask TASK
 
   ci      everything a change must pass, in the order of the printed steps
   tidy    the rules of the repository that no compiler checks
+  paper   the paper's numbers and figures, into docs/paper; --check writes nothing
 ";
 
 fn main() -> ExitCode {
@@ -25,6 +27,8 @@ fn main() -> ExitCode {
     let done = match words.as_slice() {
         ["ci"] => ci::run(),
         ["tidy"] => tidy::run(),
+        ["paper"] => paper::run(paper::Mode::Write),
+        ["paper", "--check"] => paper::run(paper::Mode::Check),
         _ => {
             eprint!("{USAGE}");
             return ExitCode::from(2);

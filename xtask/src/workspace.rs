@@ -67,13 +67,9 @@ impl Workspace {
     /// Asks cargo, without resolving third parties: needs no network.
     pub(crate) fn load() -> Result<Self, Failure> {
         let arguments = ["metadata", "--no-deps", "--format-version", "1"];
-        let answer = Command::new("cargo")
-            .args(arguments)
-            .current_dir(ROOT)
-            .output()
-            .map_err(|source| Failure::NotStarted {
-                command: format!("cargo {}", arguments.join(" ")),
-                source,
+        let answer =
+            Command::new("cargo").args(arguments).current_dir(ROOT).output().map_err(|source| {
+                Failure::NotStarted { command: format!("cargo {}", arguments.join(" ")), source }
             })?;
         if !answer.status.success() {
             let message = String::from_utf8_lossy(&answer.stderr).into_owned();
@@ -90,9 +86,7 @@ impl Workspace {
     /// The manifest of a package, from the root of the repository.
     pub(crate) fn manifest_path<'a>(&self, package: &'a Package) -> &'a str {
         let path = package.manifest_path.as_str();
-        path.strip_prefix(&self.root)
-            .unwrap_or(path)
-            .trim_start_matches('/')
+        path.strip_prefix(&self.root).unwrap_or(path).trim_start_matches('/')
     }
 
     /// Whether the name is a package of this workspace.
@@ -120,9 +114,7 @@ impl Package {
     }
 
     fn is_library(&self) -> bool {
-        self.targets
-            .iter()
-            .any(|target| target.kind.iter().any(|kind| kind == "lib"))
+        self.targets.iter().any(|target| target.kind.iter().any(|kind| kind == "lib"))
     }
 }
 
@@ -167,29 +159,19 @@ pub(crate) mod tests {
     #[test]
     fn only_layered_libraries_are_listed_and_the_lowest_comes_first() {
         let workspace = Workspace::parse(SOUND).unwrap();
-        let names: Vec<_> = workspace
-            .layered_libraries()
-            .iter()
-            .map(|p| &*p.name)
-            .collect();
+        let names: Vec<_> = workspace.layered_libraries().iter().map(|p| &*p.name).collect();
         assert_eq!(names, ["low", "high"]);
     }
 
     #[test]
     fn a_manifest_path_is_told_from_the_root() {
         let workspace = Workspace::parse(SOUND).unwrap();
-        assert_eq!(
-            workspace.manifest_path(&workspace.packages[0]),
-            "crates/low/Cargo.toml"
-        );
+        assert_eq!(workspace.manifest_path(&workspace.packages[0]), "crates/low/Cargo.toml");
     }
 
     #[test]
     fn a_root_manifest_without_a_layer_table_is_refused() {
         let error = Workspace::parse(&SOUND.replace("layers", "floors")).unwrap_err();
-        assert!(
-            error.to_string().contains("missing field `layers`"),
-            "{error}"
-        );
+        assert!(error.to_string().contains("missing field `layers`"), "{error}");
     }
 }

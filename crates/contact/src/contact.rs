@@ -63,13 +63,13 @@ impl<const N: usize, const M: usize> Contact<N, M> {
         &self.law
     }
 
-    /// `f`, the contact force at rest [force].
+    /// `f`, the contact force at rest (force).
     #[must_use]
     pub const fn preload(&self) -> f64 {
         self.preload
     }
 
-    /// `f'`, the slope of the law at rest [force / length].
+    /// `f'`, the slope of the law at rest (force / length).
     #[must_use]
     pub const fn slope(&self) -> f64 {
         self.slope

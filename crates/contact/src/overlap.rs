@@ -27,7 +27,7 @@ impl<const N: usize, const M: usize> Overlap<N, M> {
         Self { point, normal, center: point - normal * (radius - depth), radius, depth }
     }
 
-    /// `b`, the deepest point of the body [length].
+    /// `b`, the deepest point of the body (length).
     #[must_use]
     pub const fn point(&self) -> Vector<N> {
         self.point
@@ -39,19 +39,19 @@ impl<const N: usize, const M: usize> Overlap<N, M> {
         self.normal
     }
 
-    /// `c`, the center of the finger's tip [length].
+    /// `c`, the center of the finger's tip (length).
     #[must_use]
     pub const fn finger_center(&self) -> Vector<N> {
         self.center
     }
 
-    /// `r`, the radius of the finger's tip [length]; 0 for a pointed finger.
+    /// `r`, the radius of the finger's tip (length); 0 for a pointed finger.
     #[must_use]
     pub const fn finger_radius(&self) -> f64 {
         self.radius
     }
 
-    /// `delta`, the overlap at rest [length].
+    /// `delta`, the overlap at rest (length).
     #[must_use]
     pub const fn depth(&self) -> f64 {
         self.depth
@@ -73,7 +73,7 @@ impl<const N: usize, const M: usize> Overlap<N, M> {
     }
 
     /// `D^2 delta` about `origin`, in the chart `(d, phi)` with `R = exp(phi)`:
-    /// `[[0, lever(n)], [., -sym(lever(n)^T lever(c))]]` [1 / length and so on].
+    /// `[[0, lever(n)], [., -sym(lever(n)^T lever(c))]]` (1 / length and so on).
     ///
     /// It depends on the chart; only the sum over the contacts of a grasp in equilibrium, weighted
     /// by the forces, does not. From expanding `delta(q)` with

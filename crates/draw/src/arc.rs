@@ -15,7 +15,7 @@ use std::f64::consts::{FRAC_PI_6, TAU};
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct EllipseArc {
-    /// The centre.
+    /// The center.
     pub center: [f64; 2],
     /// Two conjugate half-diameters.
     pub axes: [[f64; 2]; 2],

@@ -29,7 +29,7 @@ const NARROWEST: f64 = 0.75;
 /// How far from the middle the two scenes stand that are side by side.
 const APART: f64 = 2.0;
 
-/// Colours of the upright and the slanted ellipsoid.
+/// Colors of the upright and the slanted ellipsoid.
 const COLORS: [Color; 2] = [Color::BLUE, Color::ORANGE];
 
 pub(crate) fn draw(picture: &EnergyEllipsoids) -> Result<Figure, DrawError> {
@@ -93,7 +93,7 @@ fn azimuth(slanted: &EnergySurface) -> f64 {
     best
 }
 
-/// What the colours mean and what both ellipsoids share, below the scene.
+/// What the colors mean and what both ellipsoids share, below the scene.
 fn key(
     picture: &EnergyEllipsoids,
     surfaces: &[EnergySurface; 2],

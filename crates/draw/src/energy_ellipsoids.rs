@@ -19,7 +19,7 @@ pub enum Layout {
 }
 
 /// The paper's Figures 1 and 2: the level set `x^T A x = 2` of one grasp's energy, once in
-/// the frame at the centre of compliance and once in another.
+/// the frame at the center of compliance and once in another.
 ///
 /// Coordinates are `(v_x, v_y, ω)` for twists, `A = K`, and `(f_x, f_y, τ)` for wrenches,
 /// `A = K^{-1}`. The drawing shows what the change of frame leaves alone: for twists the
@@ -44,7 +44,7 @@ pub enum Layout {
 pub struct EnergyEllipsoids {
     /// Twists or wrenches.
     pub space: EnergySpace,
-    /// The matrix in the frame at the centre of compliance: block-diagonal.
+    /// The matrix in the frame at the center of compliance: block-diagonal.
     pub upright: [[f64; 3]; 3],
     /// The matrix in the other frame.
     pub slanted: [[f64; 3]; 3],
@@ -66,7 +66,7 @@ impl EnergyEllipsoids {
             space,
             upright,
             slanted,
-            upright_label: "frame at the centre of compliance".to_owned(),
+            upright_label: "frame at the center of compliance".to_owned(),
             slanted_label: "frame at the origin".to_owned(),
             title: None,
             layout: Layout::default(),

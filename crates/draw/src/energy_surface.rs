@@ -19,7 +19,7 @@ pub enum EnergySpace {
 /// An ellipse in space: `center + axes[0] cos t + axes[1] sin t`.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SpaceEllipse {
-    /// The centre.
+    /// The center.
     pub center: [f64; 3],
     /// Two conjugate half-diameters.
     pub axes: [[f64; 3]; 2],

@@ -12,9 +12,9 @@ pub enum Place {
     Polygon,
     /// A point of a polyline.
     Polyline,
-    /// The centre (0) or an axis (1, 2) or the angles (3) of an arc.
+    /// The center (0) or an axis (1, 2) or the angles (3) of an arc.
     Arc,
-    /// The centre of a disc.
+    /// The center of a disc.
     Disc,
     /// The tail (0) or tip (1) of an arrow.
     Arrow,
@@ -32,11 +32,11 @@ pub enum Place {
     FingerNormal,
     /// The radius of a finger.
     FingerRadius,
-    /// The centre of compliance.
+    /// The center of compliance.
     Center,
     /// The farthest vertex.
     FarthestVertex,
-    /// The smallest enclosing circle: centre (0), radius (1).
+    /// The smallest enclosing circle: center (0), radius (1).
     EnclosingCircle,
     /// A corner of the shaded region with this index.
     Region(usize),
@@ -66,7 +66,7 @@ impl fmt::Display for Place {
             Self::FingerPoint => f.write_str("finger point"),
             Self::FingerNormal => f.write_str("finger normal"),
             Self::FingerRadius => f.write_str("finger radius"),
-            Self::Center => f.write_str("centre of compliance"),
+            Self::Center => f.write_str("center of compliance"),
             Self::FarthestVertex => f.write_str("farthest vertex"),
             Self::EnclosingCircle => f.write_str("enclosing circle"),
             Self::Region(region) => write!(f, "region {region}"),
@@ -130,8 +130,8 @@ pub enum DrawError {
         /// The length of its normal.
         length: f64,
     },
-    /// A farthest vertex is given without the centre it is farthest from.
-    #[error("a farthest vertex is given without a centre of compliance")]
+    /// A farthest vertex is given without the center it is farthest from.
+    #[error("a farthest vertex is given without a center of compliance")]
     ReachWithoutCenter,
     /// The matrix of an energy is not symmetric, to the accuracy of a drawing.
     #[error("{place}: entries ({row}, {column}) and ({column}, {row}) differ by {difference}")]

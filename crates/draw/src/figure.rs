@@ -30,7 +30,7 @@ const BORDER: f64 = 12.0;
 ///
 /// The world bounds are fitted, with equal aspect, into a page rectangle from (0, 0) to the
 /// size given. The finished page is what was drawn plus a white border, so nothing is cut off
-/// and nothing is centred by luck. Bounds without extent are drawn at one page unit per world
+/// and nothing is centerd by luck. Bounds without extent are drawn at one page unit per world
 /// unit. Elements cover earlier ones.
 ///
 /// ```
@@ -38,7 +38,7 @@ const BORDER: f64 = 12.0;
 ///
 /// let mut figure = Figure::new([[0.0, 0.0], [2.0, 1.0]], [400.0, 400.0])?;
 /// figure.polygon(&[[0.0, 0.0], [2.0, 0.0], [1.0, 1.0]], &Paint::fill(Color::PART))?;
-/// // Two units on 400: 200 page units each, the bounds centred.
+/// // Two units on 400: 200 page units each, the bounds centerd.
 /// assert_eq!(figure.to_page([2.0, 1.0])?, [400.0, 100.0]);
 /// assert!(figure.to_svg().contains("M0 300L400 300L200 100Z"));
 /// # Ok::<(), clench_draw::DrawError>(())

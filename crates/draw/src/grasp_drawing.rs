@@ -96,7 +96,7 @@ impl Drawing<'_> {
         Ok(())
     }
 
-    /// Thin lines along the normals, to where they leave the part or pass the centre.
+    /// Thin lines along the normals, to where they leave the part or pass the center.
     fn lines_of_action(&mut self) -> Result<(), DrawError> {
         for finger in &self.picture.fingers {
             let foot = self.picture.center.as_ref().map_or(0.0, |center| {

@@ -18,7 +18,7 @@ pub struct Mark {
 /// A circle in world units.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Circle {
-    /// Its centre.
+    /// Its center.
     pub center: [f64; 2],
     /// Its radius.
     pub radius: f64,
@@ -29,14 +29,14 @@ pub struct Circle {
 pub struct Region {
     /// Its corners in order.
     pub corners: Vec<[f64; 2]>,
-    /// Its colour; drawn translucent.
+    /// Its color; drawn translucent.
     pub color: Color,
 }
 
 /// A planar grasp as plain numbers, drawn by [`GraspPicture::figure`].
 ///
 /// Every field may be left empty but the outline. Nothing is computed from the fields: the
-/// centre, the farthest vertex and all numbers of the caption come from the caller. Lengths
+/// center, the farthest vertex and all numbers of the caption come from the caller. Lengths
 /// are in one world unit, of any size.
 ///
 /// ```
@@ -68,9 +68,9 @@ pub struct GraspPicture {
     pub corner_labels: Vec<String>,
     /// The fingers.
     pub fingers: Vec<Finger>,
-    /// The centre of compliance, or of concurrency.
+    /// The center of compliance, or of concurrency.
     pub center: Option<Mark>,
-    /// The vertex farthest from the centre: a dashed line leads there, with an arc.
+    /// The vertex farthest from the center: a dashed line leads there, with an arc.
     pub farthest_vertex: Option<[f64; 2]>,
     /// The smallest enclosing circle: a thin circle with a cross.
     pub enclosing_circle: Option<Circle>,

@@ -46,7 +46,7 @@ impl Labels {
         }
     }
 
-    /// The centre for a label of this size at a point, as near as can be to the wanted
+    /// The center for a label of this size at a point, as near as can be to the wanted
     /// direction and gap; the label becomes an obstacle.
     pub(crate) fn place(
         &mut self,
@@ -88,7 +88,7 @@ impl Labels {
     }
 }
 
-/// The distance from a box's centre to its rim in a direction.
+/// The distance from a box's center to its rim in a direction.
 fn rim(size: [f64; 2], way: [f64; 2]) -> f64 {
     let across = |i: usize| {
         if way[i] == 0.0 { f64::INFINITY } else { size[i] / 2.0 / way[i].abs() }

@@ -2,7 +2,7 @@
 //!
 //! | to draw | use |
 //! | --- | --- |
-//! | a planar part with its fingers, centre of compliance and numbers | [`GraspPicture`] |
+//! | a planar part with its fingers, center of compliance and numbers | [`GraspPicture`] |
 //! | the energy ellipsoids of one planar grasp in two frames [LBR, Figs. 1 and 2] | [`EnergyEllipsoids`] |
 //! | anything else in the plane, to scale | [`Figure`] |
 //!

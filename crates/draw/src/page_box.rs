@@ -13,7 +13,7 @@ impl PageBox {
     /// The rectangle that holds nothing.
     pub(crate) const EMPTY: Self = Self { min: [f64::INFINITY; 2], max: [f64::NEG_INFINITY; 2] };
 
-    /// The rectangle with this centre and size.
+    /// The rectangle with this center and size.
     pub(crate) fn centered(center: [f64; 2], size: [f64; 2]) -> Self {
         Self {
             min: [center[0] - size[0] / 2.0, center[1] - size[1] / 2.0],

@@ -1,10 +1,10 @@
-//! Colours, strokes and fills, and the palette all pictures share.
+//! Colors, strokes and fills, and the palette all pictures share.
 
 use std::fmt::Write;
 
 use crate::number::number;
 
-/// An sRGB colour with an opacity from 0 (invisible) to 1.
+/// An sRGB color with an opacity from 0 (invisible) to 1.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Color {
     rgb: [u8; 3],
@@ -29,20 +29,20 @@ impl Color {
     /// Third accent.
     pub const GREEN: Self = Self::new([0x00, 0x80, 0x60]);
 
-    /// An opaque colour from its red, green and blue bytes.
+    /// An opaque color from its red, green and blue bytes.
     #[must_use]
     pub const fn new(rgb: [u8; 3]) -> Self {
         Self { rgb, opacity: 1.0 }
     }
 
-    /// The same colour with this opacity; values outside 0 to 1, and NaN, are moved to the nearer end.
+    /// The same color with this opacity; values outside 0 to 1, and NaN, are moved to the nearer end.
     #[must_use]
     #[expect(clippy::manual_clamp, reason = "clamp would let NaN through")]
     pub fn with_opacity(self, opacity: f64) -> Self {
         Self { opacity: opacity.max(0.0).min(1.0), ..self }
     }
 
-    /// The colour moved towards white: 0 leaves it, 1 is white. The opacity stays.
+    /// The color moved towards white: 0 leaves it, 1 is white. The opacity stays.
     #[must_use]
     #[expect(clippy::manual_clamp, reason = "clamp would let NaN through")]
     pub fn lightened(self, share: f64) -> Self {
@@ -82,7 +82,7 @@ pub enum Dash {
 /// How a line is drawn; widths are in page units.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Stroke {
-    /// Its colour.
+    /// Its color.
     pub color: Color,
     /// Its width, in page units.
     pub width: f64,
@@ -123,7 +123,7 @@ impl Stroke {
 /// Fill and outline of a shape; either may be missing.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Paint {
-    /// The colour inside.
+    /// The color inside.
     pub fill: Option<Color>,
     /// The line around.
     pub stroke: Option<Stroke>,

@@ -40,7 +40,7 @@ pub struct Text {
     pub content: String,
     /// The size of the letters, in page units.
     pub size: f64,
-    /// The colour.
+    /// The color.
     pub color: Color,
     /// What stands at the anchor point.
     pub anchor: Anchor,
@@ -49,7 +49,7 @@ pub struct Text {
 }
 
 impl Text {
-    /// Text in ink, centred, without a halo.
+    /// Text in ink, centerd, without a halo.
     #[must_use]
     pub fn new(content: impl Into<String>, size: f64) -> Self {
         Self {
@@ -61,7 +61,7 @@ impl Text {
         }
     }
 
-    /// The same text in another colour.
+    /// The same text in another color.
     #[must_use]
     pub fn colored(self, color: Color) -> Self {
         Self { color, ..self }

@@ -20,7 +20,7 @@ pub enum MetricsError {
     TranslationNotHeld {
         /// Unit direction.
         direction: [f64; 3],
-        /// The principal translational stiffness along it [force / length].
+        /// The principal translational stiffness along it (force / length).
         value: f64,
         /// The largest principal translational stiffness.
         largest: f64,
@@ -35,7 +35,7 @@ pub enum MetricsError {
         axis: [f64; 3],
         /// The center of compliance, about which the body would turn.
         center: [f64; 3],
-        /// The principal rotational stiffness [force * length].
+        /// The principal rotational stiffness (force * length).
         value: f64,
         /// The rotational stiffness felt at the origin of the computation.
         scale: f64,

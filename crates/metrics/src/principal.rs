@@ -35,7 +35,7 @@ impl<const N: usize, const M: usize> Principal<N, M> {
     /// [`MetricsError`] names what is not held, when the stiffness is not positive definite.
     pub fn of(origin: Vector<N>, stiffness: &Stiffness<N, M>) -> Result<Self, MetricsError> {
         let scale = stiffness.rotational.trace().abs();
-        Self::scaled(origin, stiffness, scale)
+        Self::scaled(origin, stiffness, translational(stiffness)?, scale)
     }
 
     /// The parameters of the stiffness that `stiffness_about` forms about any origin.
@@ -53,15 +53,21 @@ impl<const N: usize, const M: usize> Principal<N, M> {
         let rough = stiffness_about(start);
         let translational = translational(&rough)?;
         let center = start + lever_center(&twist_map(&translational, &rough));
-        Self::scaled(center, &stiffness_about(center), rough.rotational.trace().abs())
+        // The translational block is the same about every origin.
+        Self::scaled(
+            center,
+            &stiffness_about(center),
+            translational,
+            rough.rotational.trace().abs(),
+        )
     }
 
     fn scaled(
         origin: Vector<N>,
         stiffness: &Stiffness<N, M>,
+        translational: SymmetricEigen<N>,
         scale: f64,
     ) -> Result<Self, MetricsError> {
-        let translational = translational(stiffness)?;
         let twist_map = twist_map(&translational, stiffness);
         let restricted = stiffness.rotational + stiffness.coupling.transpose() * twist_map;
         let rotational = SymmetricEigen::new(&restricted)?;
@@ -81,14 +87,14 @@ impl<const N: usize, const M: usize> Principal<N, M> {
         })
     }
 
-    /// The principal translational stiffnesses `sigma_i` [force / length], ascending, and their
+    /// The principal translational stiffnesses `sigma_i` (force / length), ascending, and their
     /// directions; `values[0]` is `sigma_min`.
     #[must_use]
     pub const fn translational(&self) -> &SymmetricEigen<N> {
         &self.translational
     }
 
-    /// The principal rotational stiffnesses `mu_i` [force * length], ascending, and their
+    /// The principal rotational stiffnesses `mu_i` (force * length), ascending, and their
     /// directions.
     #[must_use]
     pub const fn rotational(&self) -> &SymmetricEigen<M> {
@@ -101,7 +107,7 @@ impl<const N: usize, const M: usize> Principal<N, M> {
         &self.restricted
     }
 
-    /// `C_W = K_11^-1`, the compliance felt by forces that cause no rotation [length / force].
+    /// `C_W = K_11^-1`, the compliance felt by forces that cause no rotation (length / force).
     #[must_use]
     pub fn translational_compliance(&self) -> Mat<N, N> {
         inverse(&self.translational)
@@ -123,7 +129,7 @@ impl<const N: usize, const M: usize> Principal<N, M> {
     }
 
     /// The compliance felt at a body point: displacement of `point` per force at `point`,
-    /// `C_W + X K_V^-1 X^T` with `X = P_1 - lever(point)` [length / force].
+    /// `C_W + X K_V^-1 X^T` with `X = P_1 - lever(point)` (length / force).
     #[must_use]
     pub fn compliance_at(&self, point: Vector<N>) -> Mat<N, N> {
         let x = self.twist_map - lever(point - self.origin);

@@ -16,13 +16,13 @@ pub enum LimitedBy {
 /// The frame-invariant quality of a planar grasp [LBR, eqs. 13 and 14].
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Quality {
-    /// `Q = min(sigma_min, mu_eq)` [force / length]: the worst characteristic stiffness.
+    /// `Q = min(sigma_min, mu_eq)` (force / length): the worst characteristic stiffness.
     pub value: f64,
     /// Which of the two it is.
     pub limited_by: LimitedBy,
-    /// `sigma_min`, the smallest principal translational stiffness [force / length].
+    /// `sigma_min`, the smallest principal translational stiffness (force / length).
     pub translational: f64,
-    /// `mu_eq = mu / rho_max^2`, the equivalent stiffness [force / length].
+    /// `mu_eq = mu / rho_max^2`, the equivalent stiffness (force / length).
     pub equivalent: f64,
     /// The corner farthest from the center of compliance, and its distance `rho_max`.
     pub reach: Reach,

@@ -13,7 +13,7 @@ use crate::{MetricsError, Principal};
 /// below half of it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct WorstPoint {
-    /// `Q_pt`, the least force per deflection [force / length].
+    /// `Q_pt`, the least force per deflection (force / length).
     pub stiffness: f64,
     /// The corner where it is attained.
     pub corner: usize,
@@ -28,8 +28,7 @@ impl WorstPoint {
     ///
     /// [`MetricsError::NotFinite`] when a compliance overflows.
     pub fn of(principal: &Principal<2, 1>, body: &Polygon) -> Result<Self, MetricsError> {
-        let mut worst =
-            Self { stiffness: f64::INFINITY, corner: 0, direction: Vector::ZERO };
+        let mut worst = Self { stiffness: f64::INFINITY, corner: 0, direction: Vector::ZERO };
         for &corner in body.hull() {
             let compliance = principal.compliance_at(body.corners()[corner]);
             let eigen = SymmetricEigen::new(&compliance)?;

@@ -8,7 +8,7 @@ use clench_screw::Vector;
 pub struct Placement {
     /// The edge, numbered as in the outline.
     pub edge: usize,
-    /// The contact point on it [length].
+    /// The contact point on it (length).
     pub point: Vector<2>,
     /// The unit normal into the part.
     pub inward_normal: Vector<2>,
@@ -22,12 +22,12 @@ pub struct Placement {
 /// A best placement on one combination of edges.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Solution {
-    /// The fingers, in order of their edges.
+    /// The fingers, in order along the outline.
     pub placements: Vec<Placement>,
     /// Its quality. When translation limits it, every placement on these edges whose equivalent
     /// stiffness reaches `quality.translational` is as good; this one has the largest.
     pub quality: Quality,
-    /// The center of compliance [length].
+    /// The center of compliance (length).
     pub center: Vector<2>,
 }
 
@@ -52,7 +52,7 @@ pub enum Ending {
 pub struct Certificate {
     /// How the search ended.
     pub ending: Ending,
-    /// No placement has a larger quality [force / length], up to rounding.
+    /// No placement has a larger quality (force / length), up to rounding.
     pub upper_bound: f64,
     /// `(upper_bound - best) / upper_bound`.
     pub gap: f64,

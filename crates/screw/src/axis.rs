@@ -19,9 +19,9 @@ pub enum Screw {
     Axis {
         /// Unit direction of the axis.
         direction: Vector<3>,
-        /// The point of the axis nearest to the origin [length].
+        /// The point of the axis nearest to the origin (length).
         point: Vector<3>,
-        /// Translation per rotation, or torque per force [length].
+        /// Translation per rotation, or torque per force (length).
         pitch: f64,
         /// Length of the angular velocity, or of the force.
         magnitude: f64,

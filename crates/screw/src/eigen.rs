@@ -78,7 +78,8 @@ fn rotate<const N: usize>(a: &mut Mat<N, N>, basis: &mut Mat<N, N>, p: usize, q:
     let half_cotangent = (a[q][q] - a[p][p]) / (2.0 * a[p][q]);
     // The smaller of the two angles; copysign keeps 45 degrees for equal diagonal entries,
     // and an overflowing square gives the angle 0.
-    let t = 1.0_f64.copysign(half_cotangent) / (half_cotangent.abs() + (half_cotangent * half_cotangent + 1.0).sqrt());
+    let t = 1.0_f64.copysign(half_cotangent)
+        / (half_cotangent.abs() + (half_cotangent * half_cotangent + 1.0).sqrt());
     let c = 1.0 / (t * t + 1.0).sqrt();
     let s = t * c;
     let shift = t * a[p][q];

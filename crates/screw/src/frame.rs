@@ -11,7 +11,7 @@ use crate::{Mat, Vector, lever};
 /// `T = [[A, lever(r) S], [0, S]]`,
 ///
 /// with `A` the axes (`N` x `N`), `S` their action on angular velocities (`M` x `M`; 1 in the
-/// plane), and `r` the origin [length]. `a * b` is the frame that has coordinates `b` in frame
+/// plane), and `r` the origin (length). `a * b` is the frame that has coordinates `b` in frame
 /// `a`. Composition and inversion are products of these blocks, the same in plane and space.
 ///
 /// ```
@@ -41,11 +41,7 @@ impl<const N: usize, const M: usize> Frame<N, M> {
     /// The frame with orthonormal `axes` (columns) that act on angular velocities as `spin`.
     ///
     /// Only the constructors of `planar` and `spatial` know which spin belongs to which axes.
-    pub(crate) const fn from_parts(
-        origin: Vector<N>,
-        axes: Mat<N, N>,
-        spin: Mat<M, M>,
-    ) -> Self {
+    pub(crate) const fn from_parts(origin: Vector<N>, axes: Mat<N, N>, spin: Mat<M, M>) -> Self {
         Self { origin, axes, spin }
     }
 

@@ -12,7 +12,7 @@ pub type Wrench = crate::Wrench<2, 1>;
 pub type Stiffness = crate::Stiffness<2, 1>;
 
 impl Frame {
-    /// The frame at `origin`, turned counter-clockwise by `angle` [rad].
+    /// The frame at `origin`, turned counter-clockwise by `angle` (rad).
     #[must_use]
     pub fn new(origin: [f64; 2], angle: f64) -> Self {
         let (s, c) = angle.sin_cos();

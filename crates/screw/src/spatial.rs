@@ -11,13 +11,13 @@ pub type Wrench = crate::Wrench<3, 3>;
 /// A stiffness of space.
 pub type Stiffness = crate::Stiffness<3, 3>;
 
-/// Below this angle [rad] `(t - sin t) / t^3` is summed from its series, whose first term left
+/// Below this angle (rad) `(t - sin t) / t^3` is summed from its series, whose first term left
 /// out is `t^12 / 15!`, below a unit of rounding of 1/6 here; above it, the subtraction loses at
 /// most two digits.
 const SERIES_ANGLE: f64 = 0.25;
 
 impl Frame {
-    /// The frame at `origin`, turned by `rotation_vector` (axis times angle [rad]).
+    /// The frame at `origin`, turned by `rotation_vector` (axis times angle (rad)).
     #[must_use]
     pub fn new(origin: [f64; 3], rotation_vector: [f64; 3]) -> Self {
         let turn = rotation(rotation_vector.into());
@@ -31,7 +31,7 @@ pub fn cross(a: Vector<3>, b: Vector<3>) -> Vector<3> {
     lever(a) * b
 }
 
-/// The rotation matrix `exp(hat(theta))` of a rotation vector [rad].
+/// The rotation matrix `exp(hat(theta))` of a rotation vector (rad).
 ///
 /// `I + sin(t)/t hat + (1 - cos t)/t^2 hat^2` with `t = |theta|`, the last factor as
 /// `2 (sin(t/2)/t)^2`, so that small angles keep all their digits.

@@ -14,11 +14,11 @@ use crate::{Frame, Mat, Twist, Wrench};
 /// rounding, and no change of frame brings them back: form it near the body.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Stiffness<const N: usize, const M: usize> {
-    /// `K_11`: force per displacement [force / length], symmetric.
+    /// `K_11`: force per displacement (force / length), symmetric.
     pub translational: Mat<N, N>,
-    /// `K_12`: force per rotation [force].
+    /// `K_12`: force per rotation (force).
     pub coupling: Mat<N, M>,
-    /// `K_22`: torque per rotation [force * length], symmetric.
+    /// `K_22`: torque per rotation (force * length), symmetric.
     pub rotational: Mat<M, M>,
 }
 

@@ -9,9 +9,9 @@ use crate::{Frame, Vector, Wrench, lever};
 /// [LBR, section 2]: `q = (v, omega)`. Counter-clockwise rotation is positive in the plane.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Twist<const N: usize, const M: usize> {
-    /// Velocity of the body point at the frame's origin [length].
+    /// Velocity of the body point at the frame's origin (length).
     pub linear: Vector<N>,
-    /// Angular velocity [rad].
+    /// Angular velocity (rad).
     pub angular: Vector<M>,
 }
 

@@ -9,9 +9,9 @@ use crate::{Frame, Vector, lever};
 /// [LBR, section 2]: `w = (f, tau)`. In the plane `tau = x f_y - y f_x`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Wrench<const N: usize, const M: usize> {
-    /// Force [force].
+    /// Force (force).
     pub force: Vector<N>,
-    /// Torque about the frame's origin [force * length].
+    /// Torque about the frame's origin (force * length).
     pub torque: Vector<M>,
 }
 

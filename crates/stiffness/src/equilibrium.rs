@@ -27,8 +27,8 @@ impl<const N: usize, const M: usize> Grasp<N, M> {
     pub fn equilibrium(&self) -> Equilibrium<N, M> {
         let residual = self.net_wrench(self.centroid());
         let allowed = BALANCED * self.total_preload();
-        let holds = residual.force.norm() <= allowed
-            && residual.torque.norm() <= allowed * self.length();
+        let holds =
+            residual.force.norm() <= allowed && residual.torque.norm() <= allowed * self.length();
         Equilibrium { residual, holds }
     }
 }

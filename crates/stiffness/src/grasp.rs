@@ -55,7 +55,7 @@ impl<const N: usize, const M: usize> Grasp<N, M> {
     }
 
     /// The length that makes torques comparable to forces: the largest distance of a contact from
-    /// the centroid, its finger's radius included [length].
+    /// the centroid, its finger's radius included (length).
     #[must_use]
     pub const fn length(&self) -> f64 {
         self.length
@@ -80,9 +80,7 @@ impl<const N: usize, const M: usize> Grasp<N, M> {
     /// The wrench of the contact forces on the body about `origin`: `-grad Pi` [LBR, eq. 5].
     #[must_use]
     pub fn net_wrench(&self, origin: Vector<N>) -> Wrench<N, M> {
-        self.contacts
-            .iter()
-            .fold(Wrench::ZERO, |sum, c| sum + c.unit_wrench(origin) * c.preload())
+        self.contacts.iter().fold(Wrench::ZERO, |sum, c| sum + c.unit_wrench(origin) * c.preload())
     }
 
     /// The elastic energy after the body has moved [LBR, eq. 4]; a finger that has come free
@@ -92,9 +90,8 @@ impl<const N: usize, const M: usize> Grasp<N, M> {
     /// as each finger stays on its face.
     #[must_use]
     pub fn potential_energy(&self, displacement: &Frame<N, M>) -> f64 {
-        let energy = |c: &Contact<N, M>| {
-            c.law().energy(c.overlap().depth_after(displacement).max(0.0))
-        };
+        let energy =
+            |c: &Contact<N, M>| c.law().energy(c.overlap().depth_after(displacement).max(0.0));
         self.contacts.iter().map(energy).sum()
     }
 }

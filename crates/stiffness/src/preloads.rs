@@ -90,11 +90,11 @@ fn best_preload(basis: &[Vec<f64>]) -> Option<BestPreload> {
     program.add_constraint(total.as_slice(), ComparisonOp::Eq, 1.0);
     let solution = program.solve().ok()?.into_solution().ok()?;
 
-    let mut shares: Vec<f64> = (0..count)
+    let forces: Vec<f64> = (0..count)
         .map(|i| weights.iter().zip(basis).map(|(&y, b)| solution.var_value(y) * b[i]).sum())
         .collect();
-    let sum: f64 = shares.iter().sum();
-    shares.iter_mut().for_each(|share| *share /= sum);
+    let sum: f64 = forces.iter().sum();
+    let shares: Vec<f64> = forces.iter().map(|force| force / sum).collect();
     let margin = shares.iter().copied().fold(f64::INFINITY, f64::min);
     Some(BestPreload { shares, margin })
 }

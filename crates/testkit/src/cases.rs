@@ -16,7 +16,7 @@ pub fn matching(prefix: &str) -> Vec<(String, Value)> {
     let mut names: Vec<String> = fs::read_dir(&folder)
         .unwrap_or_else(|e| panic!("{}: {e}", folder.display()))
         .map(|entry| entry.expect("folder entry").file_name().to_string_lossy().into_owned())
-        .filter(|name| name.starts_with(prefix) && name.ends_with(".json"))
+        .filter(|name| name.starts_with(prefix))
         .collect();
     names.sort();
     assert!(!names.is_empty(), "no case file starts with {prefix}");

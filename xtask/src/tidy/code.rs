@@ -60,10 +60,7 @@ impl Facts {
         let mut place = outer;
         let mut rest = &*tokens;
         while let Some((first, after)) = rest.split_first() {
-            let previous = tokens
-                .len()
-                .checked_sub(rest.len() + 1)
-                .map(|index| &tokens[index]);
+            let previous = tokens.len().checked_sub(rest.len() + 1).map(|index| &tokens[index]);
             rest = after;
             match first {
                 TokenTree::Punct(mark) if mark.as_char() == '#' => {
@@ -147,11 +144,7 @@ impl Attribute {
         };
         let text = group.stream().to_string().replace(' ', "");
         let is_test = text == "cfg(test)" || text == "test";
-        Some(Self {
-            tokens: before + 1,
-            is_inner,
-            is_test,
-        })
+        Some(Self { tokens: before + 1, is_inner, is_test })
     }
 }
 
@@ -167,14 +160,8 @@ fn function(line: usize, after: &[TokenTree]) -> Option<Function> {
     let (TokenTree::Ident(name), signature) = after.split_first()? else {
         return None;
     };
-    let body = signature
-        .iter()
-        .take_while(|token| !is_mark(Some(token), ';'))
-        .find_map(braces)?;
-    let (open, close) = (
-        body.span_open().start().line,
-        body.span_close().start().line,
-    );
+    let body = signature.iter().take_while(|token| !is_mark(Some(token), ';')).find_map(braces)?;
+    let (open, close) = (body.span_open().start().line, body.span_close().start().line);
     Some(Function {
         name: name.to_string(),
         line,
@@ -197,10 +184,7 @@ fn is_open_reexport(after: &[TokenTree]) -> bool {
     let [TokenTree::Ident(keyword), path @ ..] = &after[restricted..] else {
         return false;
     };
-    let end = path
-        .iter()
-        .position(|token| is_mark(Some(token), ';'))
-        .unwrap_or(path.len());
+    let end = path.iter().position(|token| is_mark(Some(token), ';')).unwrap_or(path.len());
     keyword == "use" && path[..end].iter().any(has_star)
 }
 
@@ -223,9 +207,7 @@ fn is_small(literal: &str) -> bool {
     }
     let plain = literal.replace('_', "").to_lowercase();
     let plain = plain.trim_end_matches("f64").trim_end_matches("f32");
-    let exponent = plain
-        .split_once('e')
-        .and_then(|(_, digits)| digits.parse::<i32>().ok());
+    let exponent = plain.split_once('e').and_then(|(_, digits)| digits.parse::<i32>().ok());
     let value = plain.parse::<f64>().unwrap_or(f64::INFINITY);
     value != 0.0
         && (value < SMALL_NUMBER || exponent.is_some_and(|exponent| exponent <= SMALL_EXPONENT))
@@ -245,14 +227,7 @@ mod tests {
 
     #[test]
     fn a_small_number_is_found_however_it_is_written() {
-        for number in [
-            "1e-9",
-            "2.5E-5",
-            "1e-12_f64",
-            "0.000_01",
-            "0.00001f32",
-            "100e-6",
-        ] {
+        for number in ["1e-9", "2.5E-5", "1e-12_f64", "0.000_01", "0.00001f32", "100e-6"] {
             let text = format!("fn f(x: f64) -> bool {{\n    x < {number}\n}}\n");
             assert_eq!(numbers(&text), [(2, number.to_owned())]);
         }
@@ -272,10 +247,7 @@ mod tests {
 
     #[test]
     fn a_small_number_inside_a_macro_is_found() {
-        assert_eq!(
-            numbers("fn f() { check!(x < 1e-9); }"),
-            [(1, "1e-9".to_owned())]
-        );
+        assert_eq!(numbers("fn f() { check!(x < 1e-9); }"), [(1, "1e-9".to_owned())]);
     }
 
     #[test]
@@ -299,10 +271,7 @@ mod tests {
         assert_eq!(numbers(text), [(3, "1e-8".to_owned())]);
         let text = "#[cfg(test)]\nuse a::b;\nfn h() { g(1e-8); }\n";
         assert_eq!(numbers(text), [(3, "1e-8".to_owned())]);
-        assert_eq!(
-            numbers("#![cfg(test)]\nfn h() { g(1e-8); }\nfn i() { g(1e-8); }"),
-            []
-        );
+        assert_eq!(numbers("#![cfg(test)]\nfn h() { g(1e-8); }\nfn i() { g(1e-8); }"), []);
     }
 
     #[test]
@@ -314,16 +283,8 @@ mod tests {
     #[test]
     fn hopes_are_found_in_code() {
         let text = "fn f() {\n x.unwrap();\n panic!(\"no\");\n todo!();\n unimplemented!()\n}";
-        let expected = [
-            (2, ".unwrap()"),
-            (3, "panic!"),
-            (4, "todo!"),
-            (5, "unimplemented!"),
-        ];
-        assert_eq!(
-            hopes(text),
-            expected.map(|(line, text)| (line, text.to_owned()))
-        );
+        let expected = [(2, ".unwrap()"), (3, "panic!"), (4, "todo!"), (5, "unimplemented!")];
+        assert_eq!(hopes(text), expected.map(|(line, text)| (line, text.to_owned())));
     }
 
     #[test]
@@ -345,19 +306,14 @@ mod tests {
         let text = "trait T { fn declared(&self); }\n\n\
             fn f(\n    x: fn(f64) -> f64,\n) {\n    a();\n\n    b();\n}\n";
         let functions = Facts::read(text).unwrap().functions;
-        let [f] = functions.as_slice() else {
-            panic!("{functions:?}")
-        };
+        let [f] = functions.as_slice() else { panic!("{functions:?}") };
         assert_eq!((&*f.name, f.line, f.lines, f.body_lines), ("f", 3, 7, 3));
     }
 
     #[test]
     fn a_body_does_not_depend_on_spaces_and_comments() {
         let body = |text| Facts::read(text).unwrap().functions.remove(0).body;
-        assert_eq!(
-            body("fn f() { a(1,2); }"),
-            body("fn g() {\n    // why\n    a( 1, 2 );\n}")
-        );
+        assert_eq!(body("fn f() { a(1,2); }"), body("fn g() {\n    // why\n    a( 1, 2 );\n}"));
     }
 
     #[test]

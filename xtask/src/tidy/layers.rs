@@ -21,11 +21,7 @@ pub(super) fn folders(workspace: &Workspace) -> Vec<String> {
         .packages
         .iter()
         .filter(|package| workspace.tables.layers.contains_key(&package.name))
-        .map(|package| {
-            workspace
-                .manifest_path(package)
-                .replace("Cargo.toml", "src/")
-        })
+        .map(|package| workspace.manifest_path(package).replace("Cargo.toml", "src/"))
         .collect()
 }
 
@@ -39,11 +35,7 @@ pub(super) fn check(workspace: &Workspace, manifests: &[Source]) -> Vec<Finding>
         let Some(layer) = workspace.tables.layers.get(&package.name) else {
             continue;
         };
-        for dependency in package
-            .dependencies
-            .iter()
-            .filter(|dependency| dependency.ships())
-        {
+        for dependency in package.dependencies.iter().filter(|dependency| dependency.ships()) {
             let line = line_of(manifests, path, &dependency.name, DEPENDENCY);
             if let Some((what, mend)) = wrong_arrow(workspace, package, *layer, dependency) {
                 findings.push(Finding::new(path, line, what, mend));
@@ -56,10 +48,7 @@ pub(super) fn check(workspace: &Workspace, manifests: &[Source]) -> Vec<Finding>
 /// A package stands in exactly one table.
 fn check_place(workspace: &Workspace, package: &Package, path: &str, out: &mut Vec<Finding>) {
     let (name, tables) = (&package.name, &workspace.tables);
-    let what = match (
-        tables.layers.contains_key(name),
-        tables.tools.contains_key(name),
-    ) {
+    let what = match (tables.layers.contains_key(name), tables.tools.contains_key(name)) {
         (true, false) | (false, true) => return,
         (false, false) => format!("package `{name}` has no layer"),
         (true, true) => format!("package `{name}` is a layer and a tool"),
@@ -112,12 +101,7 @@ fn check_tables(workspace: &Workspace, manifests: &[Source], out: &mut Vec<Findi
         .collect();
     let mut report = |name: &str, endings: &[&str], what: String| {
         let line = line_of(manifests, ROOT_MANIFEST, name, endings);
-        out.push(Finding::new(
-            ROOT_MANIFEST,
-            line,
-            what,
-            "take it out of the table",
-        ));
+        out.push(Finding::new(ROOT_MANIFEST, line, what, "take it out of the table"));
     };
     for name in named {
         if !workspace.has(name) {
@@ -127,17 +111,9 @@ fn check_tables(workspace: &Workspace, manifests: &[Source], out: &mut Vec<Findi
     }
     for package in &workspace.packages {
         let used = |name: &String| {
-            package
-                .dependencies
-                .iter()
-                .any(|other| other.ships() && other.name == *name)
+            package.dependencies.iter().any(|other| other.ships() && other.name == *name)
         };
-        for party in tables
-            .third_parties
-            .get(&package.name)
-            .into_iter()
-            .flatten()
-        {
+        for party in tables.third_parties.get(&package.name).into_iter().flatten() {
             if party != "*" && !used(party) {
                 let what = format!("`{}` may use `{party}` and does not", package.name);
                 report(&package.name, LIST, what);
@@ -148,10 +124,7 @@ fn check_tables(workspace: &Workspace, manifests: &[Source], out: &mut Vec<Findi
 
 /// The first line of a manifest that starts with a name and one of the endings; 1 without one.
 fn line_of(manifests: &[Source], path: &str, name: &str, endings: &[&str]) -> usize {
-    let text = manifests
-        .iter()
-        .find(|source| source.path == path)
-        .map_or("", |s| &*s.text);
+    let text = manifests.iter().find(|source| source.path == path).map_or("", |s| &*s.text);
     let starts = |line: &str| {
         let rest = line.strip_prefix(name);
         rest.is_some_and(|rest| endings.iter().any(|ending| rest.starts_with(ending)))
@@ -169,10 +142,7 @@ mod tests {
     fn whats(from: &str, to: &str) -> Vec<String> {
         assert!(SOUND.contains(from), "nothing to replace: {from}");
         let workspace = Workspace::parse(&SOUND.replacen(from, to, 1)).unwrap();
-        check(&workspace, &[])
-            .into_iter()
-            .map(|finding| finding.what)
-            .collect()
+        check(&workspace, &[]).into_iter().map(|finding| finding.what).collect()
     }
 
     #[test]
@@ -200,23 +170,14 @@ mod tests {
     #[test]
     fn a_tool_may_not_ship_with_a_layer_not_even_in_its_build() {
         let expected = ["`low` depends on the tool `kit`"];
-        assert_eq!(
-            whats(r#""kit", "kind": "dev""#, r#""kit", "kind": null"#),
-            expected
-        );
-        assert_eq!(
-            whats(r#""kit", "kind": "dev""#, r#""kit", "kind": "build""#),
-            expected
-        );
+        assert_eq!(whats(r#""kit", "kind": "dev""#, r#""kit", "kind": null"#), expected);
+        assert_eq!(whats(r#""kit", "kind": "dev""#, r#""kit", "kind": "build""#), expected);
     }
 
     #[test]
     fn a_third_party_off_the_list_is_found_and_one_for_tests_is_not() {
         assert_eq!(
-            whats(
-                r#""proptest", "kind": "dev""#,
-                r#""proptest", "kind": null"#
-            ),
+            whats(r#""proptest", "kind": "dev""#, r#""proptest", "kind": null"#),
             ["`high` depends on `proptest`, which its list of third parties does not name"]
         );
     }
@@ -231,19 +192,13 @@ mod tests {
 
     #[test]
     fn a_package_without_a_place_is_found() {
-        assert_eq!(
-            whats(r#", "program": 2"#, ""),
-            ["package `program` has no layer"]
-        );
+        assert_eq!(whats(r#", "program": 2"#, ""), ["package `program` has no layer"]);
     }
 
     #[test]
     fn a_package_in_both_tables_is_found() {
         let both = r#""tools": { "program": "no", "#;
-        assert_eq!(
-            whats(r#""tools": { "#, both),
-            ["package `program` is a layer and a tool"]
-        );
+        assert_eq!(whats(r#""tools": { "#, both), ["package `program` is a layer and a tool"]);
     }
 
     #[test]
@@ -261,10 +216,7 @@ mod tests {
             path: "crates/high/Cargo.toml".to_owned(),
             text: "[dependencies]\nlower = \"1\"\nlow.workspace = true\n".to_owned(),
         };
-        assert_eq!(
-            check(&Workspace::parse(&json).unwrap(), &[manifest])[0].line,
-            3
-        );
+        assert_eq!(check(&Workspace::parse(&json).unwrap(), &[manifest])[0].line, 3);
     }
 
     #[test]
@@ -275,10 +227,7 @@ mod tests {
             text: "[x.layers]\nlow = 0\n[x.third-parties]\nlow = [\"robust\", \"rayon\"]\n"
                 .to_owned(),
         };
-        assert_eq!(
-            check(&Workspace::parse(&json).unwrap(), &[manifest])[0].line,
-            4
-        );
+        assert_eq!(check(&Workspace::parse(&json).unwrap(), &[manifest])[0].line, 4);
     }
 
     #[test]

@@ -42,12 +42,7 @@ pub(super) fn check(workspace: &Workspace, (path, text): (&str, &str)) -> Vec<Fi
 /// The layer as the page writes it, if the package exists.
 fn layer_of(workspace: &Workspace, name: &str) -> Option<String> {
     let tool = workspace.tables.tools.get(name).map(|_| "-".to_owned());
-    workspace
-        .tables
-        .layers
-        .get(name)
-        .map(ToString::to_string)
-        .or(tool)
+    workspace.tables.layers.get(name).map(ToString::to_string).or(tool)
 }
 
 /// Line, name and layer of each table row whose first cell is one quoted name and whose second
@@ -66,9 +61,7 @@ fn rows(text: &str) -> impl Iterator<Item = (usize, &str, &str)> {
 fn names_in_text(text: &str) -> impl Iterator<Item = (usize, &str)> {
     text.lines().enumerate().flat_map(|(index, line)| {
         let quoted = line.split('`').skip(1).step_by(2);
-        quoted
-            .filter(|name| name.starts_with("clench-"))
-            .map(move |name| (index + 1, name))
+        quoted.filter(|name| name.starts_with("clench-")).map(move |name| (index + 1, name))
     })
 }
 
@@ -94,10 +87,7 @@ mod tests {
     fn whats(page: &str) -> Vec<(usize, String)> {
         let workspace = Workspace::parse(SOUND).unwrap();
         let findings = check(&workspace, ("docs/architecture.md", page));
-        findings
-            .into_iter()
-            .map(|finding| (finding.line, finding.what))
-            .collect()
+        findings.into_iter().map(|finding| (finding.line, finding.what)).collect()
     }
 
     #[test]
@@ -114,36 +104,24 @@ mod tests {
     #[test]
     fn a_row_of_a_package_long_gone_is_found() {
         let page = PAGE.replace("| `kit` |", "| `ghost` | 1 | gone |\n| `kit` |");
-        assert_eq!(
-            whats(&page),
-            [(8, "there is no package `ghost`".to_owned())]
-        );
+        assert_eq!(whats(&page), [(8, "there is no package `ghost`".to_owned())]);
     }
 
     #[test]
     fn a_wrong_layer_is_found() {
         let page = PAGE.replace("| `high` | 1 |", "| `high` | 2 |");
-        assert_eq!(
-            whats(&page),
-            [(6, "`high` is in layer 1, not in 2".to_owned())]
-        );
+        assert_eq!(whats(&page), [(6, "`high` is in layer 1, not in 2".to_owned())]);
     }
 
     #[test]
     fn a_second_row_of_a_package_is_found() {
         let page = PAGE.replace("| `kit` |", "| `low` | 0 | again |\n| `kit` |");
-        assert_eq!(
-            whats(&page),
-            [(8, "`low` has a row in line 5 already".to_owned())]
-        );
+        assert_eq!(whats(&page), [(8, "`low` has a row in line 5 already".to_owned())]);
     }
 
     #[test]
     fn a_package_named_in_the_text_must_exist() {
         let page = format!("{PAGE}\nSee `clench-ghost` and `ghost`.\n");
-        assert_eq!(
-            whats(&page),
-            [(12, "there is no package `clench-ghost`".to_owned())]
-        );
+        assert_eq!(whats(&page), [(12, "there is no package `clench-ghost`".to_owned())]);
     }
 }

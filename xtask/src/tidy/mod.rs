@@ -26,22 +26,13 @@ pub(crate) struct Finding {
 
 impl Finding {
     fn new(path: &str, line: usize, what: impl Into<String>, mend: &'static str) -> Self {
-        Self {
-            path: path.to_owned(),
-            line,
-            what: what.into(),
-            mend,
-        }
+        Self { path: path.to_owned(), line, what: what.into(), mend }
     }
 }
 
 impl fmt::Display for Finding {
     fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(
-            out,
-            "{}:{}: {}\n  mend: {}",
-            self.path, self.line, self.what, self.mend
-        )
+        write!(out, "{}:{}: {}\n  mend: {}", self.path, self.line, self.what, self.mend)
     }
 }
 
@@ -54,16 +45,10 @@ pub(crate) fn run() -> Result<(), Failure> {
         println!("{finding}");
     }
     if findings.is_empty() {
-        println!(
-            "tidy: {} Rust files, {} pages: no findings",
-            tree.rust.len(),
-            tree.pages.len()
-        );
+        println!("tidy: {} Rust files, {} pages: no findings", tree.rust.len(), tree.pages.len());
         return Ok(());
     }
-    Err(Failure::Untidy {
-        count: findings.len(),
-    })
+    Err(Failure::Untidy { count: findings.len() })
 }
 
 fn findings(workspace: &Workspace, tree: &Tree) -> Vec<Finding> {
@@ -80,12 +65,7 @@ fn findings(workspace: &Workspace, tree: &Tree) -> Vec<Finding> {
         match code::Facts::read(&source.text) {
             Ok(facts) => {
                 findings.extend(rules::check(source, &facts, &libraries));
-                functions.extend(
-                    facts
-                        .functions
-                        .into_iter()
-                        .map(|body| (&*source.path, body)),
-                );
+                functions.extend(facts.functions.into_iter().map(|body| (&*source.path, body)));
             }
             Err(line) => findings.push(Finding::new(
                 &source.path,
@@ -108,23 +88,14 @@ mod tests {
     fn this_repository_is_tidy() {
         let workspace = Workspace::load().unwrap();
         let tree = Tree::read().unwrap();
-        assert!(
-            tree.rust.len() > workspace.packages.len(),
-            "too few files: was the tree found?"
-        );
-        let findings: Vec<_> = findings(&workspace, &tree)
-            .iter()
-            .map(Finding::to_string)
-            .collect();
+        assert!(tree.rust.len() > workspace.packages.len(), "too few files: was the tree found?");
+        let findings: Vec<_> = findings(&workspace, &tree).iter().map(Finding::to_string).collect();
         assert!(findings.is_empty(), "{}", findings.join("\n"));
     }
 
     #[test]
     fn a_finding_is_printed_with_its_place_and_its_mend() {
         let finding = Finding::new("docs/a.md", 7, "a link leads nowhere", "name a file");
-        assert_eq!(
-            finding.to_string(),
-            "docs/a.md:7: a link leads nowhere\n  mend: name a file"
-        );
+        assert_eq!(finding.to_string(), "docs/a.md:7: a link leads nowhere\n  mend: name a file");
     }
 }

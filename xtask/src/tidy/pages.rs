@@ -12,12 +12,7 @@ pub(super) fn check_changelog((path, text): (&str, &str)) -> Vec<Finding> {
         return Vec::new();
     }
     let what = format!("no section `{OPEN_SECTION}`");
-    vec![Finding::new(
-        path,
-        1,
-        what,
-        "add the section and say there what changed for the user",
-    )]
+    vec![Finding::new(path, 1, what, "add the section and say there what changed for the user")]
 }
 
 /// Every link to a file of the repository leads to one; `exists` takes a path from the root.
@@ -42,11 +37,7 @@ fn links(text: &str) -> Vec<(usize, &str)> {
         if line.trim_start().starts_with("```") {
             in_code = !in_code;
         } else if !in_code {
-            found.extend(
-                targets(line)
-                    .filter_map(to_file)
-                    .map(|target| (index + 1, target)),
-            );
+            found.extend(targets(line).filter_map(to_file).map(|target| (index + 1, target)));
         }
     }
     found
@@ -58,9 +49,7 @@ fn targets(line: &str) -> impl Iterator<Item = &str> {
     let inline = prose
         .flat_map(|part| part.split("](").skip(1))
         .map(|rest| rest.split(')').next().unwrap_or_default());
-    let named = line
-        .strip_prefix('[')
-        .and_then(|rest| rest.split_once("]: "));
+    let named = line.strip_prefix('[').and_then(|rest| rest.split_once("]: "));
     inline.chain(named.map(|(_, target)| target))
 }
 
@@ -95,15 +84,9 @@ mod tests {
 
     /// What is said of a page in `docs/` of a repository with two files.
     fn whats(text: &str) -> Vec<(usize, String)> {
-        let page = Source {
-            path: "docs/page.md".to_owned(),
-            text: text.to_owned(),
-        };
+        let page = Source { path: "docs/page.md".to_owned(), text: text.to_owned() };
         let findings = check_links(&page, |path| ["README.md", "docs/a.md"].contains(&path));
-        findings
-            .into_iter()
-            .map(|finding| (finding.line, finding.what))
-            .collect()
+        findings.into_iter().map(|finding| (finding.line, finding.what)).collect()
     }
 
     #[test]
@@ -115,10 +98,7 @@ mod tests {
 
     #[test]
     fn links_to_other_places_are_not_followed() {
-        assert_eq!(
-            whats("[web](https://example.org/x.md) [here](#part) [m](mailto:a@b)"),
-            []
-        );
+        assert_eq!(whats("[web](https://example.org/x.md) [here](#part) [m](mailto:a@b)"), []);
     }
 
     #[test]
@@ -129,32 +109,16 @@ mod tests {
     #[test]
     fn a_link_that_leads_nowhere_is_found() {
         let found = |line, target| (line, format!("the link to `{target}` leads nowhere"));
-        assert_eq!(
-            whats("see\n[a](a.md) [b](gone.md)\n"),
-            [found(2, "gone.md")]
-        );
-        assert_eq!(
-            whats("```\n```\n[b]: ../gone.md\n"),
-            [found(3, "../gone.md")]
-        );
-        assert_eq!(
-            whats("[out](../../README.md)"),
-            [found(1, "../../README.md")]
-        );
+        assert_eq!(whats("see\n[a](a.md) [b](gone.md)\n"), [found(2, "gone.md")]);
+        assert_eq!(whats("```\n```\n[b]: ../gone.md\n"), [found(3, "../gone.md")]);
+        assert_eq!(whats("[out](../../README.md)"), [found(1, "../../README.md")]);
         assert_eq!(whats("[`code`](README.md)"), [found(1, "README.md")]);
     }
 
     #[test]
     fn a_changelog_without_its_open_section_is_found() {
-        assert_eq!(
-            check_changelog(("CHANGELOG.md", "# Changelog\n\n## Unreleased\n")),
-            []
-        );
-        for text in [
-            "",
-            "# Changelog\n\n## 0.1.0\n",
-            "the section `## Unreleased`\n",
-        ] {
+        assert_eq!(check_changelog(("CHANGELOG.md", "# Changelog\n\n## Unreleased\n")), []);
+        for text in ["", "# Changelog\n\n## 0.1.0\n", "the section `## Unreleased`\n"] {
             assert_eq!(check_changelog(("CHANGELOG.md", text)).len(), 1, "{text}");
         }
     }

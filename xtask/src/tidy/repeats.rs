@@ -37,17 +37,10 @@ mod tests {
         let functions: Vec<(&str, Function)> = files
             .iter()
             .flat_map(|(path, text)| {
-                Facts::read(text)
-                    .unwrap()
-                    .functions
-                    .into_iter()
-                    .map(move |body| (*path, body))
+                Facts::read(text).unwrap().functions.into_iter().map(move |body| (*path, body))
             })
             .collect();
-        check(&functions)
-            .into_iter()
-            .map(|finding| finding.what)
-            .collect()
+        check(&functions).into_iter().map(|finding| finding.what).collect()
     }
 
     #[test]
@@ -68,9 +61,6 @@ mod tests {
     fn a_short_body_and_a_different_one_are_not_found() {
         let short = LONG.replace("    d(x);\n", "");
         assert_eq!(whats(&[("a.rs", short.clone()), ("b.rs", short)]), [""; 0]);
-        assert_eq!(
-            whats(&[("a.rs", LONG.to_owned()), ("b.rs", LONG.replace('d', "e"))]),
-            [""; 0]
-        );
+        assert_eq!(whats(&[("a.rs", LONG.to_owned()), ("b.rs", LONG.replace('d', "e"))]), [""; 0]);
     }
 }

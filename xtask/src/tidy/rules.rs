@@ -13,15 +13,9 @@ const FUNCTION_LINES: usize = 80;
 pub(super) fn check(source: &Source, facts: &Facts, libraries: &[String]) -> Vec<Finding> {
     let path = source.path.as_str();
     let mut findings = Vec::new();
-    for function in facts
-        .functions
-        .iter()
-        .filter(|function| function.lines > FUNCTION_LINES)
-    {
-        let what = format!(
-            "`{}` has {} lines: more than {FUNCTION_LINES}",
-            function.name, function.lines
-        );
+    for function in facts.functions.iter().filter(|function| function.lines > FUNCTION_LINES) {
+        let what =
+            format!("`{}` has {} lines: more than {FUNCTION_LINES}", function.name, function.lines);
         let mend = "give the steps of the function names of their own";
         findings.push(Finding::new(path, function.line, what, mend));
     }
@@ -32,11 +26,7 @@ pub(super) fn check(source: &Source, facts: &Facts, libraries: &[String]) -> Vec
             findings.push(Finding::new(path, *line, what, mend));
         }
     }
-    if libraries
-        .iter()
-        .any(|folder| path.starts_with(folder.as_str()))
-        && !is_for_measuring(path)
-    {
+    if libraries.iter().any(|folder| path.starts_with(folder.as_str())) && !is_for_measuring(path) {
         for (line, text) in &facts.hopes {
             let what = format!("`{text}` in library code");
             let mend = "return an error; where an invariant holds, `expect` says which";
@@ -53,9 +43,7 @@ pub(super) fn check(source: &Source, facts: &Facts, libraries: &[String]) -> Vec
 /// Whether the file is a test, a measurement or a chore, where a number stands for itself.
 fn is_for_measuring(path: &str) -> bool {
     path.starts_with("xtask/")
-        || path
-            .split('/')
-            .any(|part| matches!(part, "tests" | "benches" | "tests.rs"))
+        || path.split('/').any(|part| matches!(part, "tests" | "benches" | "tests.rs"))
 }
 
 #[cfg(test)]
@@ -65,16 +53,10 @@ mod tests {
     const TROUBLE: &str = "pub use a::*;\nfn f() {\n    g(1e-9).unwrap()\n}\n";
 
     fn whats(path: &str, text: &str) -> Vec<(usize, String)> {
-        let source = Source {
-            path: path.to_owned(),
-            text: text.to_owned(),
-        };
+        let source = Source { path: path.to_owned(), text: text.to_owned() };
         let facts = Facts::read(text).unwrap();
         let findings = check(&source, &facts, &["crates/low/src/".to_owned()]);
-        findings
-            .into_iter()
-            .map(|finding| (finding.line, finding.what))
-            .collect()
+        findings.into_iter().map(|finding| (finding.line, finding.what)).collect()
     }
 
     fn tolerance() -> (usize, String) {
@@ -88,27 +70,17 @@ mod tests {
     #[test]
     fn library_code_keeps_every_rule() {
         let hope = (3, "`.unwrap()` in library code".to_owned());
-        assert_eq!(
-            whats("crates/low/src/a.rs", TROUBLE),
-            [tolerance(), hope, reexport()]
-        );
+        assert_eq!(whats("crates/low/src/a.rs", TROUBLE), [tolerance(), hope, reexport()]);
     }
 
     #[test]
     fn a_tool_may_unwrap_and_may_not_hide_its_tolerances() {
-        assert_eq!(
-            whats("crates/kit/src/lib.rs", TROUBLE),
-            [tolerance(), reexport()]
-        );
+        assert_eq!(whats("crates/kit/src/lib.rs", TROUBLE), [tolerance(), reexport()]);
     }
 
     #[test]
     fn tests_benches_and_chores_may_state_numbers() {
-        let files = [
-            "crates/low/tests/laws.rs",
-            "crates/low/src/a/tests.rs",
-            "benches/src/lib.rs",
-        ];
+        let files = ["crates/low/tests/laws.rs", "crates/low/src/a/tests.rs", "benches/src/lib.rs"];
         for path in files.into_iter().chain(["xtask/src/main.rs"]) {
             assert_eq!(whats(path, TROUBLE), [reexport()], "{path}");
         }

@@ -14,12 +14,7 @@ pub(super) fn check(source: &Source) -> Vec<Finding> {
     let mut findings = Vec::new();
     if !text.starts_with("//! ") {
         let what = "the file does not start with a `//!` line";
-        findings.push(Finding::new(
-            path,
-            1,
-            what,
-            "say in one line what the file is for",
-        ));
+        findings.push(Finding::new(path, 1, what, "say in one line what the file is for"));
     }
     let lines = text.lines().count();
     if lines > FILE_LINES {
@@ -41,14 +36,8 @@ mod tests {
     use super::{Source, check};
 
     fn whats(text: String) -> Vec<(usize, String)> {
-        let findings = check(&Source {
-            path: "src/lib.rs".to_owned(),
-            text,
-        });
-        findings
-            .into_iter()
-            .map(|finding| (finding.line, finding.what))
-            .collect()
+        let findings = check(&Source { path: "src/lib.rs".to_owned(), text });
+        findings.into_iter().map(|finding| (finding.line, finding.what)).collect()
     }
 
     #[test]

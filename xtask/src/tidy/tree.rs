@@ -53,10 +53,8 @@ impl Tree {
             if entry.is_dir() {
                 self.read_folder(&entry, &format!("{path}/"))?;
             } else if let Some(list) = self.list_for(name) {
-                let text = fs::read_to_string(&entry).map_err(|source| Failure::Unreadable {
-                    path: path.clone(),
-                    source,
-                })?;
+                let text = fs::read_to_string(&entry)
+                    .map_err(|source| Failure::Unreadable { path: path.clone(), source })?;
                 list.push(Source { path, text });
             }
         }
@@ -79,10 +77,7 @@ pub(super) fn exists(path: &str) -> bool {
 }
 
 fn sorted_entries(folder: &Path, prefix: &str) -> Result<Vec<PathBuf>, Failure> {
-    let unreadable = |source| Failure::Unreadable {
-        path: format!("{prefix}."),
-        source,
-    };
+    let unreadable = |source| Failure::Unreadable { path: format!("{prefix}."), source };
     let mut entries = fs::read_dir(folder)
         .map_err(unreadable)?
         .map(|entry| entry.map(|entry| entry.path()))

@@ -41,7 +41,7 @@ impl Case {
         let grasp = Grasp::new(contacts).unwrap();
         let first = input["second_order"].as_bool() == Some(false);
         let order = if first { Order::First } else { Order::Second };
-        Self { name, frame, outline, grasp, order, value }
+        Self { name, value, frame, outline, grasp, order }
     }
 
     fn wanted(&self, path: &[&str]) -> &Value {

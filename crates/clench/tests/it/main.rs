@@ -1,3 +1,11 @@
 //! The layers together, against the grasps of an independent program and the printed paper.
 
+#![allow(
+    clippy::unwrap_used,
+    clippy::expect_used,
+    clippy::panic,
+    clippy::float_cmp,
+    reason = "a test that cannot go on fails, and exact results are compared exactly"
+)]
+
 mod cases;

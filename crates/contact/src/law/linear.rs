@@ -10,7 +10,7 @@ pub struct Linear {
 }
 
 impl Linear {
-    /// The law with `stiffness` [force / length].
+    /// The law with `stiffness` (force / length).
     ///
     /// # Errors
     ///
@@ -19,21 +19,21 @@ impl Linear {
         Ok(Self { k: positive("stiffness", stiffness)? })
     }
 
-    /// `k` [force / length].
+    /// `k` (force / length).
     #[must_use]
-    pub const fn stiffness(&self) -> f64 {
+    pub const fn stiffness(self) -> f64 {
         self.k
     }
 
-    pub(super) fn force(&self, overlap: f64) -> f64 {
+    pub(super) fn force(self, overlap: f64) -> f64 {
         self.k * overlap
     }
 
-    pub(super) fn energy(&self, overlap: f64) -> f64 {
+    pub(super) fn energy(self, overlap: f64) -> f64 {
         0.5 * self.k * overlap * overlap
     }
 
-    pub(super) fn overlap(&self, force: f64) -> f64 {
+    pub(super) fn overlap(self, force: f64) -> f64 {
         force / self.k
     }
 }

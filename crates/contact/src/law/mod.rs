@@ -27,7 +27,7 @@ pub enum Law {
 }
 
 impl Law {
-    /// The linear law with `stiffness` [force / length].
+    /// The linear law with `stiffness` (force / length).
     ///
     /// # Errors
     ///
@@ -36,7 +36,7 @@ impl Law {
         Linear::new(stiffness).map(Self::Linear)
     }
 
-    /// The power law with `coefficient` [force / length^exponent] and `exponent`.
+    /// The power law with `coefficient` (force / length^exponent) and `exponent`.
     ///
     /// # Errors
     ///
@@ -54,7 +54,7 @@ impl Law {
         }
     }
 
-    /// The slope `f'(delta)` [force / length].
+    /// The slope `f'(delta)` (force / length).
     #[must_use]
     pub fn stiffness(&self, overlap: f64) -> f64 {
         match self {
@@ -63,7 +63,7 @@ impl Law {
         }
     }
 
-    /// The energy, the integral of `f` from 0 to `delta` [force * length].
+    /// The energy, the integral of `f` from 0 to `delta` (force * length).
     #[must_use]
     pub fn energy(&self, overlap: f64) -> f64 {
         match self {

@@ -14,7 +14,7 @@ pub struct Power {
 }
 
 impl Power {
-    /// The law with `coefficient` [force / length^exponent] and `exponent`.
+    /// The law with `coefficient` (force / length^exponent) and `exponent`.
     ///
     /// # Errors
     ///
@@ -23,7 +23,7 @@ impl Power {
         Ok(Self { c: positive("coefficient", coefficient)?, p: positive("exponent", exponent)? })
     }
 
-    /// `c` [force / length^exponent].
+    /// `c` (force / length^exponent).
     #[must_use]
     pub const fn coefficient(&self) -> f64 {
         self.c

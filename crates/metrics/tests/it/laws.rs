@@ -151,8 +151,7 @@ fn a_change_of_units_by_powers_of_four_is_exact() {
         let springs = springs::<2, 1>(r);
         let corners = r.star(7);
         let evaluate = |l: f64, f: f64| {
-            let scaled: Vec<_> =
-                springs.iter().map(|&(p, n, k)| (p * l, n, k * f / l)).collect();
+            let scaled: Vec<_> = springs.iter().map(|&(p, n, k)| (p * l, n, k * f / l)).collect();
             let body: Vec<_> = corners.iter().map(|[x, y]| [x * l, y * l]).collect();
             let body = Polygon::new(&body).unwrap();
             let principal =

@@ -12,7 +12,11 @@ fn a_free_translation_is_named_with_its_direction() {
     let stiffness = spring::<2, 1>([0.0, 0.0], [0.0, 1.0]) + spring([1.0, 0.0], [0.0, 1.0]);
     assert_eq!(
         Principal::of(Vector::ZERO, &stiffness),
-        Err(MetricsError::TranslationNotHeld { direction: [1.0, 0.0, 0.0], value: 0.0, largest: 2.0 })
+        Err(MetricsError::TranslationNotHeld {
+            direction: [1.0, 0.0, 0.0],
+            value: 0.0,
+            largest: 2.0
+        })
     );
 }
 
@@ -43,9 +47,7 @@ fn a_free_rotation_in_space_is_named_with_its_axis() {
         + spring([0.0, 0.0, -1.0], [0.0, 1.0, 0.0])
         + spring([0.0, 0.0, 0.0], [0.0, 0.0, 1.0]);
     let found = Principal::of(Vector::ZERO, &stiffness);
-    let Err(MetricsError::RotationNotHeld { axis, value, .. }) = found else {
-        panic!("{found:?}")
-    };
+    let Err(MetricsError::RotationNotHeld { axis, value, .. }) = found else { panic!("{found:?}") };
     assert_eq!((axis, value), ([0.0, 0.0, 1.0], 0.0));
 }
 

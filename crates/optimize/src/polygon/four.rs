@@ -9,7 +9,9 @@ use super::combinations::Combinations as Edges;
 use super::leaders::{Candidate, Leaders};
 use super::quadruple::{Peak, Quadruple};
 use super::scene::Scene;
-use crate::{Certificate, Combinations, Ending, OptimizeError, Outcome, Placement, Progress, Solution};
+use crate::{
+    Certificate, Combinations, Ending, OptimizeError, Outcome, Placement, Progress, Solution,
+};
 
 /// Combinations in the first round; each further round has twice as many, up to the last.
 const FIRST_ROUND: u64 = 256;
@@ -118,10 +120,7 @@ struct Tally {
 
 impl Tally {
     const fn plus(self, other: Self) -> Self {
-        Self {
-            examined: self.examined + other.examined,
-            spanning: self.spanning + other.spanning,
-        }
+        Self { examined: self.examined + other.examined, spanning: self.spanning + other.spanning }
     }
 }
 
@@ -150,7 +149,7 @@ fn solution(scene: &Scene, candidate: &Candidate<4, Peak>) -> Option<Solution> {
     let quadruple = Quadruple::new(scene, candidate.edges)?;
     let moments = quadruple.moments(&candidate.place);
     let shares = quadruple.shares(&candidate.place);
-    let placements = (0..4).map(|i| {
+    let placement = |i: usize| {
         let edge = candidate.edges[i];
         Placement {
             edge,
@@ -158,8 +157,11 @@ fn solution(scene: &Scene, candidate: &Candidate<4, Peak>) -> Option<Solution> {
             inward_normal: scene.supports[edge].normal,
             share: shares[i],
         }
-    });
-    Solution::of_first_order(scene.part, placements.collect()).ok()
+    };
+    let mut placements: Vec<_> = (0..4).map(placement).collect();
+    let along = |p: &Placement| (p.point - scene.start(p.edge)).norm_squared();
+    placements.sort_by(|p, q| p.edge.cmp(&q.edge).then(along(p).total_cmp(&along(q))));
+    Solution::of_first_order(scene.part, placements).ok()
 }
 
 /// A stride near the golden section of `total` that visits each number once.

@@ -12,7 +12,7 @@ pub struct Part {
 }
 
 impl Part {
-    /// The part with one stiffness [force / length] per edge, in the order of the outline.
+    /// The part with one stiffness (force / length) per edge, in the order of the outline.
     ///
     /// # Errors
     ///
@@ -29,7 +29,7 @@ impl Part {
         }
     }
 
-    /// The part with the same stiffness [force / length] on each edge.
+    /// The part with the same stiffness (force / length) on each edge.
     ///
     /// # Errors
     ///
@@ -45,7 +45,7 @@ impl Part {
         &self.outline
     }
 
-    /// The stiffness of each edge [force / length].
+    /// The stiffness of each edge (force / length).
     #[must_use]
     pub fn edge_stiffness(&self) -> &[f64] {
         &self.edge_stiffness

@@ -121,9 +121,10 @@ impl<'a> Quadruple<'a> {
 
     /// The four limits, and the two sides of the cone (`sign` 1) or of its opposite.
     fn rows(&self, sign: f64) -> [Row; 6] {
-        std::array::from_fn(|i| match self.supports.get(i) {
-            Some(s) => Row { a: s.arm, z: self.null[i], low: s.low, high: s.high },
-            None => {
+        std::array::from_fn(|i| {
+            if let Some(s) = self.supports.get(i) {
+                Row { a: s.arm, z: self.null[i], low: s.low, high: s.high }
+            } else {
                 let z = self.cone[i - 4] * sign;
                 Row { a: Vector::ZERO, z, low: 0.0, high: f64::INFINITY }
             }
@@ -317,9 +318,8 @@ fn pushing_cone(null: &[Vector<2>; 4]) -> Option<[Vector<2>; 2]> {
         return None;
     }
     // All Z_i lie between the extreme two, which are less than half a turn apart.
-    let extreme = |turn: f64| {
-        null.iter().copied().find(|&e| null.iter().all(|&z| turn * cross(e, z) >= 0.0))
-    };
+    let extreme =
+        |turn: f64| null.iter().copied().find(|&e| null.iter().all(|&z| turn * cross(e, z) >= 0.0));
     let (right, left) = (extreme(1.0)?, extreme(-1.0)?);
     let size = (right.norm_squared() * left.norm_squared()).sqrt();
     if cross(right, left) <= PARALLEL * size {
@@ -331,9 +331,8 @@ fn pushing_cone(null: &[Vector<2>; 4]) -> Option<[Vector<2>; 2]> {
 
 fn inverse(a: &Mat<2, 2>) -> Option<Mat<2, 2>> {
     let determinant = a[0][0] * a[1][1] - a[0][1] * a[1][0];
-    (determinant > PARALLEL * a[0][0] * a[1][1]).then(|| {
-        Mat::new([[a[1][1], -a[0][1]], [-a[1][0], a[0][0]]]) * determinant.recip()
-    })
+    (determinant > PARALLEL * a[0][0] * a[1][1])
+        .then(|| Mat::new([[a[1][1], -a[0][1]], [-a[1][0], a[0][0]]]) * determinant.recip())
 }
 
 fn distance_squared_to_origin(a: Vector<2>, b: Vector<2>) -> f64 {

@@ -43,9 +43,8 @@ mod tests {
     fn the_ratio_is_flat_at_the_stationary_parameters() {
         let line = |p: [f64; 2], u: [f64; 2]| (Vector::new(p), Vector::new(u));
         let (top, bottom) = (line([1.0, 2.0], [0.5, -1.0]), line([3.0, -1.0], [1.0, 1.0]));
-        let ratio = |t: f64| {
-            (top.0 + top.1 * t).norm_squared() / (bottom.0 + bottom.1 * t).norm_squared()
-        };
+        let ratio =
+            |t: f64| (top.0 + top.1 * t).norm_squared() / (bottom.0 + bottom.1 * t).norm_squared();
         for t in stationary(top, bottom) {
             let slope = (ratio(t + 1e-6) - ratio(t - 1e-6)) / 2e-6;
             assert!(slope.abs() < 1e-8, "slope {slope} at {t}");

@@ -15,7 +15,7 @@ const AT_END: f64 = 64.0 * f64::EPSILON;
 pub(super) struct Support {
     /// The unit normal into the part.
     pub(super) normal: Vector<2>,
-    /// `k` [force / length].
+    /// `k` (force / length).
     pub(super) stiffness: f64,
     /// `sqrt(k)`.
     pub(super) weight: f64,
@@ -78,6 +78,11 @@ impl<'a> Scene<'a> {
         outline.corners()[outline.farthest(d + self.center).corner] - self.center
     }
 
+    /// The first corner of `edge`.
+    pub(super) fn start(&self, edge: usize) -> Vector<2> {
+        self.part.outline().edges()[edge].start()
+    }
+
     /// The point on `edge` whose normal has the scaled moment `s`.
     pub(super) fn point_of_moment(&self, edge: usize, s: f64) -> Vector<2> {
         let support = &self.supports[edge];
@@ -98,9 +103,8 @@ impl<'a> Scene<'a> {
     /// `sigma_min = (sum k - |sum k exp(2 i phi)|) / 2` of fingers on the given edges.
     pub(super) fn sigma_min(&self, edges: &[usize]) -> f64 {
         let supports = edges.iter().map(|&e| &self.supports[e]);
-        let (sum, turn) = supports.fold((0.0, Vector::ZERO), |(sum, turn), s| {
-            (sum + s.stiffness, turn + s.double_angle)
-        });
+        let (sum, turn) = supports
+            .fold((0.0, Vector::ZERO), |(sum, turn), s| (sum + s.stiffness, turn + s.double_angle));
         0.5 * (sum - turn.norm())
     }
 }

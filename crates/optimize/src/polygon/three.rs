@@ -20,9 +20,9 @@ const PARALLEL: f64 = 8.0 * f64::EPSILON;
 /// What to search for.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ThreeFingers {
-    /// `f_T`, the sum of the contact forces [force].
+    /// `f_T`, the sum of the contact forces (force).
     pub total_preload: f64,
-    /// The radius of the fingers' tips [length]; 0 for pointed fingers.
+    /// The radius of the fingers' tips (length); 0 for pointed fingers.
     pub finger_radius: f64,
     /// How many of the best edge triplets to return.
     pub top: NonZeroUsize,
@@ -70,8 +70,7 @@ pub fn three_fingers(part: &Part, options: &ThreeFingers) -> Result<Outcome, Opt
     let triplets = (0..count).into_par_iter().flat_map_iter(|i| {
         (i + 1..count).flat_map(move |j| (j + 1..count).map(move |k| [i, j, k]))
     });
-    let spanning: Vec<_> =
-        triplets.filter_map(|edges| Triplet::new(&scene, edges)).collect();
+    let spanning: Vec<_> = triplets.filter_map(|edges| Triplet::new(&scene, edges)).collect();
     let candidates = spanning.par_iter().filter_map(|t| t.best(options)).collect();
     let mut leaders = Leaders::new(options.top.get());
     leaders.merge(candidates);

@@ -1,8 +1,7 @@
 //! The optima of an independent program, combination by combination.
 
 use clench_optimize::polygon::{
-    FourFingers, Part, ThreeFingers, four_fingers, four_fingers_on, three_fingers,
-    three_fingers_on,
+    FourFingers, Part, ThreeFingers, four_fingers, four_fingers_on, three_fingers, three_fingers_on,
 };
 use clench_shape::Polygon;
 use clench_testkit::cases::{Value, array, list, matching, number, numbers};

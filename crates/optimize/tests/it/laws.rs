@@ -72,11 +72,9 @@ fn position_winding_and_first_corner_do_not_matter() {
         let backwards: Vec<_> = corners.iter().rev().copied().collect();
         // Edge e of the reversed outline joins corners 5 - e and 4 - e: edge 4 - e of the other.
         let backward_stiffness: [f64; 6] = std::array::from_fn(|e| stiffness[(10 - e) % 6]);
-        for (other, k) in [
-            (moved, stiffness),
-            (turned, turned_stiffness),
-            (backwards, backward_stiffness),
-        ] {
+        for (other, k) in
+            [(moved, stiffness), (turned, turned_stiffness), (backwards, backward_stiffness)]
+        {
             let found = best(&part(&other, &k)).solutions[0].quality.value;
             assert_close(found, wanted, 1e-12, wanted, "quality");
         }

@@ -3,8 +3,7 @@
 use clench_metrics::LimitedBy;
 use clench_optimize::OptimizeError;
 use clench_optimize::polygon::{
-    FourFingers, Part, ThreeFingers, four_fingers, four_fingers_on, three_fingers,
-    three_fingers_on,
+    FourFingers, Part, ThreeFingers, four_fingers, four_fingers_on, three_fingers, three_fingers_on,
 };
 use clench_shape::Polygon;
 

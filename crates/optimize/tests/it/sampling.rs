@@ -163,8 +163,7 @@ fn three_fingers_match_a_grid_of_meeting_points_and_the_second_order_stiffness()
         let part = random_part(r, 5);
         let outline = part.outline();
         let radius = [0.0, 0.3][r.below(2)];
-        let options =
-            ThreeFingers { finger_radius: radius, ..ThreeFingers::with_preload(0.01) };
+        let options = ThreeFingers { finger_radius: radius, ..ThreeFingers::with_preload(0.01) };
         let mut edges = [r.below(5), r.below(5), r.below(5)];
         edges.sort_unstable();
         let Some(best) = three_fingers_on(&part, edges, &options).unwrap() else { continue };

@@ -77,29 +77,29 @@ fn screw_axes_are_those_of_the_cases() {
         check(Twist { linear: a, angular: b }.screw(), &item["as_twist"], "translation", i);
         check(Wrench { force: a, torque: b }.screw(), &item["as_wrench"], "couple", i);
     }
+}
 
-    fn check(found: Screw, wanted: &Value, free: &str, i: usize) {
-        let what = format!("screw {i}");
-        let kind = wanted["kind"].as_str().unwrap();
-        match found {
-            Screw::Free { direction, magnitude } => {
-                assert_eq!(kind, free, "{what}");
-                assert_all_close(&direction.to_array(), &numbers(&wanted["direction"]), DIGITS, &what);
-                assert_close(magnitude, number(&wanted["magnitude"]), DIGITS, magnitude, &what);
-            }
-            Screw::Axis { direction, point, pitch, magnitude } => {
-                assert_eq!(kind, "screw", "{what}");
-                assert_all_close(&direction.to_array(), &numbers(&wanted["direction"]), DIGITS, &what);
-                let expected = numbers(&wanted["point"]);
-                let scale = Vector::new(array::<3>(&wanted["point"])).norm().max(1.0);
-                for (p, e) in point.to_array().iter().zip(expected) {
-                    assert_close(*p, e, DIGITS, scale, &what);
-                }
-                assert_close(pitch, number(&wanted["pitch"]), DIGITS, 1.0, &what);
-                assert_close(magnitude, number(&wanted["magnitude"]), DIGITS, magnitude, &what);
-            }
-            other => panic!("{what}: {other:?}"),
+fn check(found: Screw, wanted: &Value, free: &str, i: usize) {
+    let what = format!("screw {i}");
+    let kind = wanted["kind"].as_str().unwrap();
+    match found {
+        Screw::Free { direction, magnitude } => {
+            assert_eq!(kind, free, "{what}");
+            assert_all_close(&direction.to_array(), &numbers(&wanted["direction"]), DIGITS, &what);
+            assert_close(magnitude, number(&wanted["magnitude"]), DIGITS, magnitude, &what);
         }
+        Screw::Axis { direction, point, pitch, magnitude } => {
+            assert_eq!(kind, "screw", "{what}");
+            assert_all_close(&direction.to_array(), &numbers(&wanted["direction"]), DIGITS, &what);
+            let expected = numbers(&wanted["point"]);
+            let scale = Vector::new(array::<3>(&wanted["point"])).norm().max(1.0);
+            for (p, e) in point.to_array().iter().zip(expected) {
+                assert_close(*p, e, DIGITS, scale, &what);
+            }
+            assert_close(pitch, number(&wanted["pitch"]), DIGITS, 1.0, &what);
+            assert_close(magnitude, number(&wanted["magnitude"]), DIGITS, magnitude, &what);
+        }
+        other @ Screw::Zero => panic!("{what}: {other:?}"),
     }
 }
 

@@ -34,8 +34,12 @@ fn numbers_of_stiffness<const N: usize, const M: usize>(k: &Stiffness<N, M>) -> 
 }
 
 fn numbers_of_frame<const N: usize, const M: usize>(f: &Frame<N, M>) -> Vec<f64> {
-    [f.origin().to_array().as_slice(), f.axes().rows().as_flattened(), f.spin().rows().as_flattened()]
-        .concat()
+    [
+        f.origin().to_array().as_slice(),
+        f.axes().rows().as_flattened(),
+        f.spin().rows().as_flattened(),
+    ]
+    .concat()
 }
 
 /// `T` column by column, from the change of unit twists alone.
@@ -51,7 +55,10 @@ fn matrix<const N: usize, const M: usize>(f: &Frame<N, M>) -> Vec<Vec<f64>> {
         .collect()
 }
 
-fn laws<const N: usize, const M: usize>(mut frame: impl FnMut(&mut Random) -> Frame<N, M>, seed: u64) {
+fn laws<const N: usize, const M: usize>(
+    mut frame: impl FnMut(&mut Random) -> Frame<N, M>,
+    seed: u64,
+) {
     let r = &mut Random::new(seed);
     for _ in 0..200 {
         let (a, b) = (frame(r), frame(r));
@@ -142,7 +149,8 @@ fn exact_units<const N: usize, const M: usize>(
             coupling: k.coupling * force,
             rotational: k.rotational * (force * length),
         };
-        let (one, other) = (k.in_frame(&frame(&place, 1.0)), scaled.in_frame(&frame(&place, length)));
+        let (one, other) =
+            (k.in_frame(&frame(&place, 1.0)), scaled.in_frame(&frame(&place, length)));
         assert_eq!(other.translational, one.translational * (force / length));
         assert_eq!(other.coupling, one.coupling * force);
         assert_eq!(other.rotational, one.rotational * (force * length));
@@ -212,7 +220,8 @@ fn eigen_of_chosen_values<const N: usize>(rotation: &Mat<N, N>, values: [f64; N]
     let limit = 8.0 * N as f64 * f64::EPSILON;
     assert_all_close(&eigen.values, &sorted, limit, "eigenvalues");
     let q = Mat::<N, N>::from_fn(|i, j| eigen.vectors[j][i]);
-    let rebuilt = q * Mat::from_fn(|i, j| if i == j { eigen.values[i] } else { 0.0 }) * q.transpose();
+    let rebuilt =
+        q * Mat::from_fn(|i, j| if i == j { eigen.values[i] } else { 0.0 }) * q.transpose();
     assert_all_close(rebuilt.rows().as_flattened(), a.rows().as_flattened(), limit, "rebuilt");
     let product = q.transpose() * q;
     let identity = Mat::<N, N>::IDENTITY;
@@ -245,7 +254,12 @@ fn cholesky_solves_what_it_factorised() {
         assert_all_close(&solved.to_array(), &x.to_array(), 1e-11, "solution");
         let product = k * Cholesky::new(&k).unwrap().inverse();
         let identity = Mat::<3, 3>::IDENTITY;
-        assert_all_close(product.rows().as_flattened(), identity.rows().as_flattened(), 1e-11, "A A^-1");
+        assert_all_close(
+            product.rows().as_flattened(),
+            identity.rows().as_flattened(),
+            1e-11,
+            "A A^-1",
+        );
     }
 }
 

@@ -56,9 +56,9 @@ fn laws<const N: usize, const M: usize>(chart: Chart<N, M>, seed: u64) {
         let mut differences = Vec::new();
         for i in 0..N + M {
             for j in 0..N + M {
-                let mixed = energy(i, 1.0, j, 1.0) - energy(i, 1.0, j, -1.0)
-                    - energy(i, -1.0, j, 1.0)
-                    + energy(i, -1.0, j, -1.0);
+                let mixed =
+                    energy(i, 1.0, j, 1.0) - energy(i, 1.0, j, -1.0) - energy(i, -1.0, j, 1.0)
+                        + energy(i, -1.0, j, -1.0);
                 differences.push((i, j, mixed / (4.0 * h * h)));
             }
         }
@@ -74,9 +74,8 @@ fn laws<const N: usize, const M: usize>(chart: Chart<N, M>, seed: u64) {
         same(&grasp.stiffness(origin, Order::Second), &moved, 1e-13, "congruence");
 
         // K_2 of flat faces is purely rotational and does not depend on the origin.
-        let curvature = |o| {
-            grasp.stiffness(o, Order::Second) + grasp.stiffness(o, Order::First) * -1.0
-        };
+        let curvature =
+            |o| grasp.stiffness(o, Order::Second) + grasp.stiffness(o, Order::First) * -1.0;
         let (here, there) = (curvature(Vector::ZERO), curvature(origin));
         let scale = largest(&stiffness);
         assert!(here.coupling.max_abs() <= 1e-14 * scale);
@@ -125,14 +124,10 @@ fn two_fingers_in_one_place_are_one_of_twice_the_stiffness() {
 fn lengths_and_forces_by_powers_of_four_change_the_units_exactly() {
     let r = &mut Random::new(23);
     for (length, force) in [(4.0, 1.0), (1.0 / 64.0, 16.0), (4.0_f64.powi(15), 4.0_f64.powi(-9))] {
-        let points: Vec<([f64; 2], [f64; 2], f64, f64, f64)> = (0..5)
-            .map(|_| {
-                let stiffness = r.between(0.5, 2.0);
-                (r.array(3.0), r.array(1.0), r.between(0.0, 1.0), stiffness, r.between(0.0, 1.0))
-            })
-            .collect();
+        let places: Vec<[[f64; 2]; 2]> = (0..5).map(|_| [r.array(3.0), r.array(1.0)]).collect();
+        let sizes: Vec<[f64; 3]> = (0..5).map(|_| r.array::<3>(0.5).map(|x| x + 1.0)).collect();
         let grasp = |l: f64, f: f64| {
-            let contacts = points.iter().map(|(p, n, radius, k, preload)| {
+            let contacts = places.iter().zip(&sizes).map(|([p, n], [radius, k, preload])| {
                 let law = Law::linear(k * f / l).unwrap();
                 let point = Vector::new(*p) * l;
                 Contact::<2, 1>::new(point, (*n).into(), radius * l, law, preload * f).unwrap()
@@ -166,10 +161,13 @@ fn null_vectors_balance_and_the_best_preload_maximises_the_weakest() {
                 c.unit_wrench(Vector::ZERO).force.norm() * f * point.norm().max(1.0) * normal.norm()
             });
             let scale: f64 = contacts.map(f64::abs).sum();
-            let net = grasp.contacts().iter().zip(shares).fold(
-                clench_screw::Wrench::<3, 3>::ZERO,
-                |sum, (c, f)| sum + c.unit_wrench(Vector::ZERO) * *f,
-            );
+            let net = grasp
+                .contacts()
+                .iter()
+                .zip(shares)
+                .fold(clench_screw::Wrench::<3, 3>::ZERO, |sum, (c, f)| {
+                    sum + c.unit_wrench(Vector::ZERO) * *f
+                });
             assert!(net.force.norm() <= 1e-13 * scale && net.torque.norm() <= 1e-13 * scale);
         }
         let best = preloads.best.expect("pairs balance with positive forces");

@@ -14,7 +14,10 @@ fn law(r: &mut Random) -> Law {
 
 /// Pairs of opposite fingers along random lines, the two of a pair with equal preloads but laws,
 /// radii and distances of their own: balanced, and not symmetric.
-pub(crate) fn balanced<const N: usize, const M: usize>(r: &mut Random, pairs: usize) -> Grasp<N, M> {
+pub(crate) fn balanced<const N: usize, const M: usize>(
+    r: &mut Random,
+    pairs: usize,
+) -> Grasp<N, M> {
     let mut contacts = Vec::new();
     for _ in 0..pairs {
         let middle: Vector<N> = r.array(1.0).into();
@@ -23,9 +26,7 @@ pub(crate) fn balanced<const N: usize, const M: usize>(r: &mut Random, pairs: us
         for side in [-1.0, 1.0] {
             let point = middle + normal * (side * r.between(0.5, 1.5));
             let radius = r.between(0.0, 0.8);
-            contacts.push(
-                Contact::new(point, normal * -side, radius, law(r), preload).unwrap(),
-            );
+            contacts.push(Contact::new(point, normal * -side, radius, law(r), preload).unwrap());
         }
     }
     Grasp::new(contacts).unwrap()

@@ -1,0 +1,91 @@
+//! The paper's examples, computed through the public crates.
+
+use clench::contact::{Contact, ContactError, Law, Order};
+use clench::metrics::{MetricsError, Principal};
+use clench::optimize::polygon::{
+    FourFingers, Part, ThreeFingers, four_fingers, three_fingers, three_fingers_on,
+};
+use clench::optimize::{OptimizeError, Outcome, Solution};
+use clench::shape::{Polygon, PolygonError};
+use clench::stiffness::{Grasp, GraspError};
+
+/// The quadrilateral ABCD of Examples 5.1 and 5.2.
+const QUADRILATERAL: [[f64; 2]; 4] = [[0.0, 0.0], [13.0, 0.0], [9.0, 8.0], [2.0, 6.0]];
+
+/// The edge triplets of Figure 4: (AB, BC, CD) and (AB, BC, DA).
+const TRIPLETS: [[usize; 3]; 2] = [[0, 1, 2], [0, 1, 3]];
+
+/// Why a number of the paper could not be computed.
+#[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
+pub(crate) enum PaperError {
+    /// The outline was refused.
+    #[error(transparent)]
+    Outline(#[from] PolygonError),
+    /// A contact was refused.
+    #[error(transparent)]
+    Contact(#[from] ContactError),
+    /// A grasp was refused.
+    #[error(transparent)]
+    Grasp(#[from] GraspError),
+    /// A grasp has no quality.
+    #[error(transparent)]
+    Metrics(#[from] MetricsError),
+    /// A search found nothing.
+    #[error(transparent)]
+    Optimize(#[from] OptimizeError),
+    /// An edge triplet holds nothing.
+    #[error("no placement on the edges {edges:?} holds the quadrilateral")]
+    Triplet {
+        /// The edges.
+        edges: [usize; 3],
+    },
+}
+
+/// Everything that the paper prints a number or draws a figure of.
+#[derive(Debug)]
+pub(crate) struct Paper {
+    /// The quadrilateral with stiffness 1 on each edge.
+    pub(crate) part: Part,
+    /// The grasp of Figures 1 and 2.
+    pub(crate) figure_1: Grasp<2, 1>,
+    pub(crate) figure_1_principal: Principal<2, 1>,
+    /// Grasps I and II of Example 5.1, for a total preload of 1.
+    pub(crate) triplets: [Solution; 2],
+    /// The best of all triplets.
+    pub(crate) three: Outcome,
+    /// Example 5.2.
+    pub(crate) four: Outcome,
+}
+
+impl Paper {
+    pub(crate) fn compute() -> Result<Self, PaperError> {
+        let part = Part::uniform(Polygon::new(&QUADRILATERAL)?, 1.0)?;
+        let figure_1 = figure_1(part.outline())?;
+        let about = |origin| figure_1.stiffness(origin, Order::First);
+        let figure_1_principal = Principal::near(figure_1.centroid(), about)?;
+        let options = ThreeFingers::with_preload(1.0);
+        let on = |edges| -> Result<Solution, PaperError> {
+            three_fingers_on(&part, edges, &options)?.ok_or(PaperError::Triplet { edges })
+        };
+        Ok(Self {
+            figure_1_principal,
+            figure_1,
+            triplets: [on(TRIPLETS[0])?, on(TRIPLETS[1])?],
+            three: three_fingers(&part, &options)?,
+            four: four_fingers(&part, &FourFingers::default(), |_| {})?,
+            part,
+        })
+    }
+}
+
+/// Fingers at A and B on AB, at C on BC and at D on DA, `k = 1`, to first order.
+fn figure_1(outline: &Polygon) -> Result<Grasp<2, 1>, PaperError> {
+    let law = Law::linear(1.0)?;
+    let ends = [(0, 0.0), (0, 13.0), (1, outline.edges()[1].length()), (3, 0.0)];
+    let contacts = ends.map(|(edge, along)| {
+        let edge = &outline.edges()[edge];
+        Contact::new(edge.point_at(along), edge.inward_normal(), 0.0, law, 0.0)
+    });
+    Ok(Grasp::new(contacts.into_iter().collect::<Result<_, _>>()?)?)
+}
