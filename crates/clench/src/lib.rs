@@ -44,3 +44,10 @@ pub use clench_optimize as optimize;
 pub use clench_screw as screw;
 pub use clench_shape as shape;
 pub use clench_stiffness as stiffness;
+
+/// The examples of the documents run as tests.
+#[cfg(doctest)]
+mod documents {
+    #[doc = include_str!("../../../README.md")]
+    struct Readme;
+}

@@ -1,2 +1,88 @@
-//! In preparation.
-fn main() {}
+//! The `clench` command: files in, reports and pictures out.
+
+mod arguments;
+
+mod analyze;
+mod optimize;
+
+mod answer;
+mod failure;
+
+mod input;
+
+mod picture;
+mod report;
+
+mod output;
+mod progress;
+
+use std::io::{self, IsTerminal, Write};
+use std::path::Path;
+use std::process::ExitCode;
+
+use clap::Parser;
+use miette::{GraphicalReportHandler, GraphicalTheme};
+
+use crate::answer::Answer;
+use crate::arguments::{Arguments, Command, OutputArguments};
+use crate::failure::Failure;
+
+/// Bad input; nothing was written.
+const BAD_INPUT: u8 = 1;
+
+/// A sound question without an answer.
+const NO_ANSWER: u8 = 3;
+
+fn main() -> ExitCode {
+    // Wrong usage ends here, with code 2.
+    let arguments = Arguments::parse();
+    let answer = match &arguments.command {
+        Command::Analyze(a) => finish(analyze::analyze(a), &a.grasp, &a.output),
+        Command::Optimize(a) => finish(optimize::optimize(a), &a.part, &a.output),
+    };
+    match answer {
+        Ok(Answer { reason: None, .. }) => ExitCode::SUCCESS,
+        Ok(Answer { reason: Some(reason), .. }) => {
+            complain(&format!("clench: no answer: {reason}\n"));
+            ExitCode::from(NO_ANSWER)
+        }
+        Err(failure) => {
+            complain(&shown(&failure));
+            ExitCode::from(BAD_INPUT)
+        }
+    }
+}
+
+/// Draws the picture, writes it, then the report.
+fn finish(
+    answer: Result<Answer, Failure>,
+    input: &Path,
+    output: &OutputArguments,
+) -> Result<Answer, Failure> {
+    let answer = answer?;
+    if let Some(path) = &output.svg {
+        output::check_apart(path, input)?;
+        output::write_file(path, &answer.picture.figure()?.to_svg())?;
+    }
+    output::write_report(&answer.report)?;
+    Ok(answer)
+}
+
+/// The failure with the lines of the file that it is about.
+fn shown(failure: &Failure) -> String {
+    let plain = std::env::var_os("NO_COLOR").is_some() || !io::stderr().is_terminal();
+    let theme = if plain { GraphicalTheme::unicode_nocolor() } else { GraphicalTheme::unicode() };
+    let mut text = String::new();
+    // Long messages stay on one line, so that they can be searched for; causes are in them.
+    let handler =
+        GraphicalReportHandler::new_themed(theme).with_wrap_lines(false).without_cause_chain();
+    match handler.render_report(&mut text, failure) {
+        Ok(()) => text,
+        Err(_) => format!("clench: {failure}\n"),
+    }
+}
+
+/// Whether anybody reads standard error does not change the exit code.
+fn complain(message: &str) {
+    let _ = io::stderr().write_all(message.as_bytes());
+}

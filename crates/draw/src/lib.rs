@@ -3,7 +3,7 @@
 //! | to draw | use |
 //! | --- | --- |
 //! | a planar part with its fingers, center of compliance and numbers | [`GraspPicture`] |
-//! | the energy ellipsoids of one planar grasp in two frames [LBR, Figs. 1 and 2] | [`EnergyEllipsoids`] |
+//! | the energy ellipsoids of a planar grasp in two frames | [`EnergyEllipsoids`] |
 //! | anything else in the plane, to scale | [`Figure`] |
 //!
 //! This crate computes no metric: every number it shows is given to it, and what it works out

@@ -35,7 +35,7 @@ impl Color {
         Self { rgb, opacity: 1.0 }
     }
 
-    /// The same color with this opacity; values outside 0 to 1, and NaN, are moved to the nearer end.
+    /// The same color with this opacity; values outside 0 to 1, and NaN, go to the nearer end.
     #[must_use]
     #[expect(clippy::manual_clamp, reason = "clamp would let NaN through")]
     pub fn with_opacity(self, opacity: f64) -> Self {

@@ -5,6 +5,9 @@ use crate::error::{DrawError, Place};
 /// No page coordinate may be larger: renderers count in f32, and nothing so far off is seen.
 pub(crate) const PAGE_LIMIT: f64 = 1e6;
 
+/// A span below this part of the coordinates is one rounding of them, and no size.
+const NO_SPAN: f64 = f64::EPSILON;
+
 /// A similarity that puts world bounds into the middle of a page rectangle.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct WorldMap {
@@ -30,7 +33,7 @@ impl WorldMap {
             let span = (bounds[1][i] - bounds[0][i]).abs();
             finite(span, place, i)?;
             // Below one rounding of the coordinates, a span says nothing about the size.
-            let rounding = f64::EPSILON * bounds[0][i].abs().max(bounds[1][i].abs());
+            let rounding = NO_SPAN * bounds[0][i].abs().max(bounds[1][i].abs());
             if span > rounding {
                 scale = scale.min(size[i] / span);
             }

@@ -6,6 +6,10 @@ use crate::{Mat, ScrewError, Vector};
 /// for any input.
 const MAX_SWEEPS: usize = 32;
 
+/// An entry below this part of the geometric mean of its two diagonal entries rotates them by less
+/// than a unit of rounding, so it counts as zero.
+const NO_ROTATION: f64 = f64::EPSILON;
+
 /// The eigenvalues of a symmetric matrix, ascending, with orthonormal eigenvectors.
 ///
 /// By cyclic Jacobi rotations, which stay accurate for repeated eigenvalues (the vectors are then
@@ -64,7 +68,7 @@ fn sweep<const N: usize>(a: &mut Mat<N, N>, basis: &mut Mat<N, N>) -> bool {
     for p in 0..N {
         for q in p + 1..N {
             let scale = (a[p][p].abs() * a[q][q].abs()).sqrt();
-            if a[p][q].abs() > f64::EPSILON * scale {
+            if a[p][q].abs() > NO_ROTATION * scale {
                 rotate(a, basis, p, q);
                 rotated = true;
             }

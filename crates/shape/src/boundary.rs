@@ -9,21 +9,17 @@ use crate::triangulation::{Triangle, doubled_area};
 /// no corner is farther.
 ///
 /// It is a part of the two corners' bisector, a segment or a ray. Where three corners are nearly
-/// on one line its ends can be very far away; `middle`, `from` and `to` then say precisely where
-/// it passes the part, while `start` is rounded to its own size.
+/// on one line its ends can be very far away; measured from `middle`, it is still known precisely
+/// where it passes the part.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Boundary {
     /// The two corners that are farthest from each point. The region of the first is on the left
     /// of `direction`, that of the second on the right.
     pub corners: (usize, usize),
-    /// Where it begins.
-    pub start: Vector<2>,
-    /// The unit vector along it; it goes from the start to infinity in the case of a ray.
-    pub direction: Vector<2>,
-    /// The distance from its start to its end (length); infinite for a ray.
-    pub length: f64,
     /// The middle between the two corners, on the same line but perhaps not on the border.
     pub middle: Vector<2>,
+    /// The unit vector along it; it goes from the start to infinity in the case of a ray.
+    pub direction: Vector<2>,
     /// The start, as a distance from `middle` in the sense of `direction` (length).
     pub from: f64,
     /// The end, in the same way; infinite for a ray.
@@ -33,7 +29,7 @@ pub struct Boundary {
 /// A border stands for a single point when its ends differ by less than this many roundings of
 /// their distance from the corners: each end is a quotient of two products of differences, the
 /// divisor with three more, and the distance itself.
-const POINT_ROUNDINGS: f64 = 16.0;
+const POINT_ROUNDING: f64 = 16.0 * f64::EPSILON;
 
 /// Stands for an end that no double can name; coordinates of parts stop at 1e130.
 const BEYOND_REACH: f64 = 1e300;
@@ -91,19 +87,11 @@ pub(crate) fn border(
         beyond.map_or(f64::INFINITY, |t| -center_offset([sites[b], sites[a], sites[third(t)]]));
 
     let radius = (0.5 * distance).hypot(from);
-    if to - from <= POINT_ROUNDINGS * f64::EPSILON * radius {
+    if to - from <= POINT_ROUNDING * radius {
         return None;
     }
     let middle = sites[a] + side * 0.5;
-    Some(Boundary {
-        corners: (corners[b], corners[a]),
-        start: middle + direction * from,
-        direction,
-        length: to - from,
-        middle,
-        from,
-        to,
-    })
+    Some(Boundary { corners: (corners[b], corners[a]), middle, direction, from, to })
 }
 
 /// How far the circumcenter of `a b c` is to the left of the side from `a` to `b`: half the side

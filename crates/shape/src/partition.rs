@@ -39,7 +39,7 @@ pub struct Cell {
 }
 
 impl FarthestPartition {
-    /// The partition for the corners of a hull, counter-clockwise, and their farthest triangulation.
+    /// The partition for a hull's corners, counter-clockwise, and their farthest triangulation.
     pub(crate) fn new(corners: &[usize], sites: Vec<Vector<2>>, mesh: &Triangulation) -> Self {
         let (boundaries, numbers) = borders(corners, &sites, mesh);
         let cells = (0..sites.len())

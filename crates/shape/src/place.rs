@@ -6,7 +6,7 @@ use crate::Edge;
 
 /// A place on an outline is called a corner within this many roundings of its coordinates: two
 /// for the point's own rounding in a file and at its source, two for the corner's.
-const CORNER_ROUNDINGS: f64 = 4.0;
+const CORNER_ROUNDING: f64 = 4.0 * f64::EPSILON;
 
 /// The place of an outline nearest to some point.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -54,7 +54,7 @@ fn foot(edge: &Edge, point: Vector<2>) -> (f64, f64) {
 fn at_corner(edges: &[Edge], place: Place) -> Place {
     let edge = &edges[place.edge];
     let scale = edge.start().max_abs().max(edge.end().max_abs());
-    let rounding = CORNER_ROUNDINGS * f64::EPSILON * scale;
+    let rounding = CORNER_ROUNDING * scale;
     let next = (place.edge + 1) % edges.len();
     let corner = if place.along <= rounding {
         place.edge

@@ -128,7 +128,8 @@ impl Polygon {
     /// use clench_shape::{Polygon, Stretch};
     /// let square = Polygon::new(&[[0.0, 0.0], [4.0, 0.0], [4.0, 4.0], [0.0, 4.0]])?;
     /// // From left to right below the middle: first the right upper corner, then the left one.
-    /// let stretches: Vec<_> = square.farthest_along([0.0, 1.0].into(), [8.0, 1.0].into()).collect();
+    /// let (start, end) = ([0.0, 1.0].into(), [8.0, 1.0].into());
+    /// let stretches: Vec<_> = square.farthest_along(start, end).collect();
     /// let expected = [
     ///     Stretch { corner: 2, from: 0.0, to: 0.25 },
     ///     Stretch { corner: 3, from: 0.25, to: 1.0 },

@@ -13,6 +13,10 @@ const ZERO_SINGULAR_VALUE: f64 = 4.0 * f64::EPSILON;
 /// forces that sum to 1, each a combination of as many rounded entries as there are contacts.
 const ZERO_MARGIN: f64 = 16.0 * f64::EPSILON;
 
+/// A coefficient of the linear program below this, per contact, is rounding of a unit vector, and
+/// would only spoil the program's scaling.
+const ZERO_COEFFICIENT: f64 = f64::EPSILON;
+
 /// The contact forces that balance by themselves: the null space of the wrench map.
 ///
 /// The wrench map has one column `(n, b x n)` per contact; torques are divided by the grasp's
@@ -78,7 +82,7 @@ fn best_preload(basis: &[Vec<f64>]) -> Option<BestPreload> {
     let mut program = Problem::new(OptimizationDirection::Maximize);
     let least = program.add_var(1.0, free);
     let weights: Vec<_> = basis.iter().map(|_| program.add_var(0.0, free)).collect();
-    let noise = f64::EPSILON * count as f64;
+    let noise = ZERO_COEFFICIENT * count as f64;
     let clean = |x: f64| if x.abs() > noise { x } else { 0.0 };
     for i in 0..count {
         let mut row: Vec<_> = weights.iter().zip(basis).map(|(&y, b)| (y, clean(b[i]))).collect();

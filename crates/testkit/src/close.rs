@@ -12,7 +12,8 @@ pub fn assert_close(actual: f64, expected: f64, tolerance: f64, scale: f64, what
     let error = (actual - expected).abs();
     assert!(
         error <= tolerance * scale,
-        "{what}: {actual:?} is not {expected:?}; they differ by {:.1e} of {scale:e}, allowed {tolerance:.1e}",
+        "{what}: {actual:?} is not {expected:?}; they differ by {:.1e} of {scale:e}, \
+         allowed {tolerance:.1e}",
         error / scale
     );
 }

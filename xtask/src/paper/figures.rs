@@ -11,7 +11,7 @@ use clench_draw::{
 use super::grasps::Paper;
 
 /// How far the strips of Figure 3 reach, across the whole quadrilateral.
-const STRIP_LENGTH: f64 = 11.5;
+const STRIP_LENGTH: f64 = 14.0;
 
 /// A point inside the region S of Figure 3, for its name.
 const IN_S: [f64; 2] = [4.6, 4.2];

@@ -14,9 +14,10 @@
 //! placement is `s = N^T x + Z z`. The center of compliance is `d = J x` and the rotational
 //! stiffness `mu = |z|^2` [LBR, eq. 18], so
 //!
-//! `mu_eq = |z|^2 / rho_max(d)^2`, with `low_i <= a_i . d + Z_i . z <= high_i`, `a_i = sqrt(k_i) J n_i`,
+//! `mu_eq = |z|^2 / rho_max(d)^2` with `low_i <= a_i . d + Z_i . z <= high_i`,
 //!
-//! where all `Z_i . (J z)` have one sign: they are the balancing contact forces.
+//! where `a_i = sqrt(k_i) J n_i`, and all `Z_i . (J z)` have one sign: they are the balancing
+//! contact forces.
 //!
 //! 1. For a fixed `d`, `|z|^2` is convex in `z`, so it is largest at a corner of what is allowed:
 //!    two constraints are active, and `z = z_0 + M d` is affine in `d`.

@@ -71,8 +71,8 @@ impl<'a> Quadruple<'a> {
     /// An upper bound of `mu_eq` over all placements on these edges.
     ///
     /// `mu = min over c of sum (s_i - a_i . c)^2`, so any `c` bounds it from above, here the
-    /// middle of the window; and `rho_max(d)^2 >= r_0^2 + |d|^2`, as half of the part's extreme
-    /// corners lie behind its center.
+    /// middle of the window. And `rho_max(d)^2 >= r_0^2 + |d|^2`: the center of the smallest
+    /// circle lies among the corners on it, so one of these, `v`, has `v . d <= 0`.
     pub(super) fn bound(&self) -> f64 {
         let c = self.window_center;
         let mu: f64 = self

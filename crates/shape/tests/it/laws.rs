@@ -1,7 +1,5 @@
 //! Properties that hold for every outline, point and segment.
 
-#![expect(clippy::cast_precision_loss, reason = "counts of a few thousand")]
-
 use std::f64::consts::TAU;
 
 use clench_screw::{Vector, planar};
@@ -106,7 +104,8 @@ fn queries(r: &mut Random, part: &Polygon) -> Vec<Vector<2>> {
         let corner = part.corners()[cell.corner];
         points.push(corner);
         let number = cell.boundaries[i % cell.boundaries.len()];
-        let away = part.partition().boundaries()[number].start - corner;
+        let border = &part.partition().boundaries()[number];
+        let away = border.point_at(border.from) - corner;
         points.extend([-0.5, 0.2, 1.0, 1.5].map(|share| corner + away * share));
     }
     points.retain(|point| (*point - circle.center).norm() <= 2e3 * circle.radius);
@@ -160,7 +159,7 @@ fn neighbouring_cells_have_one_boundary_each() {
         let part = outline(&r.convex(n)).unwrap();
         let boundaries = part.partition().boundaries();
         assert_eq!(boundaries.len(), 2 * n - 3, "boundaries of {n} corners");
-        assert_eq!(boundaries.iter().filter(|b| b.length.is_infinite()).count(), n, "rays");
+        assert_eq!(boundaries.iter().filter(|b| b.to.is_infinite()).count(), n, "rays");
         let mut pairs: Vec<_> = boundaries
             .iter()
             .map(|b| (b.corners.0.min(b.corners.1), b.corners.0.max(b.corners.1)))
@@ -405,9 +404,9 @@ fn answers(part: &Polygon, point: Vector<2>, size: f64) -> Vec<u64> {
         all.extend([stretch.corner as f64, stretch.from, stretch.to]);
     }
     for boundary in part.partition().boundaries() {
-        all.extend(scaled(boundary.start).to_array());
+        all.extend(scaled(boundary.middle).to_array());
         all.extend(boundary.direction.to_array());
-        all.extend([boundary.length / size, boundary.from / size, boundary.to / size]);
+        all.extend([boundary.from / size, boundary.to / size]);
     }
     all.into_iter().map(f64::to_bits).collect()
 }

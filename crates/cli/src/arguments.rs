@@ -1,0 +1,175 @@
+//! The command line.
+
+use std::num::NonZeroUsize;
+use std::path::PathBuf;
+
+use clap::{Args, Parser, Subcommand, ValueEnum};
+use clench::screw::planar::Frame;
+
+const FILE: &str = "\
+A part file, in TOML (or the same in JSON):
+
+  units = { length = \"mm\", force = \"N\" }  # of all numbers; any names; L and F if left out
+
+  [part.planar]
+  outline = [[0, 0], [13, 0], [9, 8], [2, 6]]  # corners, either way round
+  stiffness = 1.0                            # of a contact on each edge; or a list, one per edge
+
+A grasp file has contacts besides:
+
+  [[contacts]]
+  point = [6.5, 0]
+  preload = 2.0                              # 0 if left out
+  finger = { radius = 0.5 }                  # a pointed finger if left out
+  law = { kind = \"linear\", stiffness = 3.0 } # that of the edge if left out; or
+  # law = { kind = \"power\", coefficient = 3.0, exponent = 1.5 }
+  edge = 0                                   # needed at a corner only; or
+  # inward_normal = [0, 1]
+
+Corners, edges and contacts count from 0; edge e joins corner e to corner e + 1. A contact has to
+be on the outline up to 1e-6 of the part's radius. `-` reads standard input.
+
+Exit codes: 0 an answer; 1 bad input, nothing written; 2 wrong usage; 3 no answer, with the reason.
+
+Examples:
+  clench optimize bracket.toml --fingers 4 --svg bracket.svg
+  clench optimize bracket.toml --fingers 3 --preload 200 --format json > grasp.json
+  clench analyze grasp.json --frame 20,10,0.5";
+
+/// How well a compliant grasp or fixture holds a part, and where to put the fingers.
+///
+/// The quality Q is the least characteristic stiffness of the part on its fingers, force per
+/// deflection: it does not depend on the frame (Lin, Burdick, Rimon: A Quality Measure for
+/// Compliant Grasps).
+#[derive(Debug, Parser)]
+#[command(name = "clench", version, after_long_help = FILE, after_help = "More with --help.")]
+pub(crate) struct Arguments {
+    #[command(subcommand)]
+    pub(crate) command: Command,
+}
+
+/// What to do.
+#[derive(Debug, Subcommand)]
+pub(crate) enum Command {
+    /// Report stiffness, stability, center of compliance and quality of a grasp.
+    #[command(after_long_help = FILE)]
+    Analyze(AnalyzeArguments),
+    /// Find the placement of fingers with the greatest quality, and prove that it is.
+    #[command(after_long_help = FILE)]
+    Optimize(OptimizeArguments),
+}
+
+/// What to analyze, and how.
+#[derive(Debug, Args)]
+pub(crate) struct AnalyzeArguments {
+    /// The grasp file, or what `optimize --format json` wrote.
+    pub(crate) grasp: PathBuf,
+    /// Leave out (first) or take in (second) what preload and finger radius add to the stiffness;
+    /// second if there is a preload and it balances.
+    #[arg(long, value_enum)]
+    pub(crate) order: Option<OrderArgument>,
+    /// The frame to write everything in: its origin, and its angle in radians, counter-clockwise;
+    /// the file's own if left out.
+    #[arg(long, value_name = "X,Y,ANGLE", value_parser = frame, allow_hyphen_values = true)]
+    pub(crate) frame: Option<FrameArgument>,
+    #[command(flatten)]
+    pub(crate) output: OutputArguments,
+}
+
+/// What to optimize, and how.
+#[derive(Debug, Args)]
+pub(crate) struct OptimizeArguments {
+    /// The part file.
+    pub(crate) part: PathBuf,
+    /// The number of frictionless fingers.
+    #[arg(long, value_enum)]
+    pub(crate) fingers: Fingers,
+    /// The sum of all contact forces. Three fingers need it: they resist rotation by it alone.
+    /// With four, the report adds the quality to second order.
+    #[arg(long, value_name = "F", value_parser = positive, required_if_eq("fingers", "3"))]
+    #[arg(allow_hyphen_values = true)]
+    pub(crate) preload: Option<f64>,
+    /// The radius of the fingers' tips.
+    #[arg(long, value_name = "R", value_parser = not_negative, default_value = "0")]
+    #[arg(allow_hyphen_values = true)]
+    pub(crate) finger_radius: f64,
+    /// Report the best placements on this many combinations of edges.
+    #[arg(long, value_name = "T", default_value = "1")]
+    pub(crate) top: NonZeroUsize,
+    #[command(flatten)]
+    pub(crate) output: OutputArguments,
+}
+
+/// Where the answer goes, and in which form.
+#[derive(Debug, Args)]
+pub(crate) struct OutputArguments {
+    /// The form of the report.
+    #[arg(long, value_enum, default_value = "text")]
+    pub(crate) format: Format,
+    /// Draw the grasp into this file.
+    #[arg(long, value_name = "FILE")]
+    pub(crate) svg: Option<PathBuf>,
+}
+
+/// The terms of the stiffness.
+#[derive(Clone, Copy, Debug, ValueEnum)]
+pub(crate) enum OrderArgument {
+    First,
+    Second,
+}
+
+/// How many fingers.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum Fingers {
+    #[value(name = "3")]
+    Three,
+    #[value(name = "4")]
+    Four,
+}
+
+/// The form of a report.
+#[derive(Clone, Copy, Debug, ValueEnum)]
+pub(crate) enum Format {
+    Text,
+    Json,
+}
+
+/// A frame as it is written on the command line.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct FrameArgument {
+    pub(crate) origin: [f64; 2],
+    pub(crate) angle: f64,
+}
+
+impl FrameArgument {
+    /// The frame of the file itself.
+    pub(crate) const FILE: Self = Self { origin: [0.0; 2], angle: 0.0 };
+
+    /// The frame, seen from that of the file.
+    pub(crate) fn frame(self) -> Frame {
+        Frame::new(self.origin, self.angle)
+    }
+}
+
+fn frame(text: &str) -> Result<FrameArgument, String> {
+    let numbers: Vec<f64> = text.split(',').map(finite).collect::<Result<_, _>>()?;
+    match numbers[..] {
+        [x, y, angle] => Ok(FrameArgument { origin: [x, y], angle }),
+        _ => Err(format!("found {} numbers, expected three: x,y,angle", numbers.len())),
+    }
+}
+
+fn positive(text: &str) -> Result<f64, String> {
+    let value = finite(text)?;
+    if value > 0.0 { Ok(value) } else { Err(format!("found {value}, expected more than 0")) }
+}
+
+fn not_negative(text: &str) -> Result<f64, String> {
+    let value = finite(text)?;
+    if value >= 0.0 { Ok(value) } else { Err(format!("found {value}, expected 0 or more")) }
+}
+
+fn finite(text: &str) -> Result<f64, String> {
+    let number = text.trim().parse().ok().filter(|number: &f64| number.is_finite());
+    number.ok_or_else(|| format!("found `{text}`, expected a finite number"))
+}

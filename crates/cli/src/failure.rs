@@ -1,0 +1,55 @@
+//! Why a command failed: what was given is bad, or a file cannot be read or written.
+
+use std::io;
+
+use clench::optimize::OptimizeError;
+use clench_draw::DrawError;
+use miette::Diagnostic;
+
+use crate::input::InputError;
+use crate::optimize::OutOfRange;
+
+/// The end of a command that wrote nothing.
+#[derive(Debug, thiserror::Error, Diagnostic)]
+pub(crate) enum Failure {
+    /// The text or the numbers of a file.
+    #[error(transparent)]
+    #[diagnostic(transparent)]
+    Input(Box<InputError>),
+    /// A file that cannot be read.
+    #[error("{name}: cannot be read: {source}; expected a TOML or JSON file")]
+    Unreadable { name: String, source: io::Error },
+    /// A file that is no text.
+    #[error("{name}: byte {offset} is not UTF-8; expected a TOML or JSON file in UTF-8")]
+    NotText { name: String, offset: usize },
+    /// A picture that would overwrite the input.
+    #[error("{name}: is the input file; expected another name for the picture")]
+    SameFile { name: String },
+    /// A picture that cannot be written; what was there before still is.
+    #[error("{name}: cannot be written: {source}")]
+    Unwritable { name: String, source: io::Error },
+    /// Standard output that cannot be written.
+    #[error("the report cannot be written to standard output: {0}")]
+    Output(io::Error),
+    /// A grasp that no page can show.
+    #[error("the picture cannot be drawn: {0}")]
+    Picture(#[from] DrawError),
+    /// A report that is no JSON.
+    #[error("the report cannot be written as JSON: {0}")]
+    Json(#[from] serde_json::Error),
+    /// Numbers that the search cannot work with.
+    #[error("{name}: {source}")]
+    Search { name: String, source: OptimizeError },
+    /// A search that ended well without a placement: its documentation rules that out.
+    #[error("{name}: the search ended without a placement")]
+    NoSolution { name: String },
+    /// A result out of the range of the numbers.
+    #[error("{name}: {source}; choose units in which lengths and forces are nearer to 1")]
+    Range { name: String, source: OutOfRange },
+}
+
+impl From<InputError> for Failure {
+    fn from(error: InputError) -> Self {
+        Self::Input(Box::new(error))
+    }
+}

@@ -1,0 +1,102 @@
+//! An input file: its text, its values, and the errors that point into it.
+
+use std::fs;
+use std::io::{self, Read};
+use std::path::Path;
+
+use serde::Deserialize;
+
+use super::fault::{Fault, InputError, Located};
+use super::node::Node;
+use super::place::Place;
+use super::reader::Reader;
+use super::schema::{File, VERSION};
+use super::{json_tree, toml_tree};
+use crate::failure::Failure;
+use crate::report::RESULT_FIELDS;
+
+/// The name that stands for standard input.
+const STANDARD_INPUT: &str = "-";
+
+/// A file that was read, and what it says.
+#[derive(Debug)]
+pub(crate) struct Document {
+    name: String,
+    text: String,
+    root: Node,
+}
+
+impl Document {
+    /// Reads the file at `path`, or standard input for `-`, and checks it against the schema.
+    ///
+    /// The ending `.toml` or `.json` says what it is; without one, a file that starts with a brace
+    /// is JSON.
+    pub(crate) fn read(path: &Path) -> Result<(Self, File), Failure> {
+        let (name, text) = text_of(path)?;
+        let parsed = match language(path, &text) {
+            _ if text.trim().is_empty() => Err(Located { span: 0..0, fault: Fault::Empty }),
+            Language::Toml => toml_tree::parse(&text),
+            Language::Json => json_tree::parse(&text),
+        };
+        let root = parsed.map_err(|Located { span, fault }| {
+            InputError::new(&name, &text, &Place::default(), span, fault)
+        })?;
+        let document = Self { name, text, root: root.without(&RESULT_FIELDS) };
+        let file = document.checked()?;
+        Ok((document, file))
+    }
+
+    /// How reports call the file.
+    pub(crate) fn name(&self) -> &str {
+        &self.name
+    }
+
+    /// The error that the value at `place` has a fault.
+    pub(crate) fn error(&self, place: &Place, fault: Fault) -> Failure {
+        let span = self.root.span_of(place);
+        InputError::new(&self.name, &self.text, place, span, fault).into()
+    }
+
+    fn checked(&self) -> Result<File, Failure> {
+        let file = File::deserialize(Reader(&self.root)).map_err(|mismatch| {
+            let (message, place, span) = mismatch.into_parts(&self.root);
+            InputError::new(&self.name, &self.text, &place, span, Fault::Schema { message })
+        })?;
+        match file.version {
+            Some(version) if version.0 != VERSION => {
+                let place = Place::default().field("version");
+                Err(self.error(&place, Fault::Version { found: version.0 }))
+            }
+            _ => Ok(file),
+        }
+    }
+}
+
+enum Language {
+    Toml,
+    Json,
+}
+
+fn language(path: &Path, text: &str) -> Language {
+    let ends = |ending: &str| path.extension().is_some_and(|e| e.eq_ignore_ascii_case(ending));
+    let json = ends("json") || (!ends("toml") && text.trim_start().starts_with('{'));
+    if json { Language::Json } else { Language::Toml }
+}
+
+/// The name and the text of a file, without a byte-order mark.
+fn text_of(path: &Path) -> Result<(String, String), Failure> {
+    let (name, bytes) = if path == Path::new(STANDARD_INPUT) {
+        let mut bytes = Vec::new();
+        let read = io::stdin().lock().read_to_end(&mut bytes).map(|_| bytes);
+        ("standard input".to_owned(), read)
+    } else {
+        (path.display().to_string(), fs::read(path))
+    };
+    let bytes = bytes.map_err(|source| Failure::Unreadable { name: name.clone(), source })?;
+    let text = String::from_utf8(bytes).map_err(|e| Failure::NotText {
+        name: name.clone(),
+        offset: e.utf8_error().valid_up_to(),
+    })?;
+    let text = text.strip_prefix('\u{feff}').map_or_else(|| text.clone(), str::to_owned);
+    Ok((name, text))
+}

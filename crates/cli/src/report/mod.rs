@@ -1,0 +1,28 @@
+//! Reports: what is known, as JSON and as text. The text is made from the same numbers.
+
+mod analysis;
+mod analysis_text;
+mod verdict;
+
+mod optimum;
+mod optimum_text;
+
+mod number;
+mod page;
+
+use serde::Serialize;
+
+use crate::failure::Failure;
+
+pub(crate) use analysis::{AnalysisReport, limit};
+pub(crate) use analysis_text::AnalysisText;
+pub(crate) use number::{UnitNames, spot};
+pub(crate) use optimum::{OptimumReport, Question, RESULT_FIELDS, UnansweredReport};
+pub(crate) use optimum_text::OptimumText;
+
+/// A report as JSON.
+pub(crate) fn json(report: &impl Serialize) -> Result<String, Failure> {
+    let mut text = serde_json::to_string_pretty(report)?;
+    text.push('\n');
+    Ok(text)
+}

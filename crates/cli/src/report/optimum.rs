@@ -1,0 +1,202 @@
+//! The report on the best placements.
+
+use clench::optimize::polygon::Part;
+use clench::optimize::{Ending, Outcome, Placement};
+use serde::Serialize;
+
+use super::analysis::{ReachReport, limit, plain};
+use crate::input::{Finite, schema};
+use crate::optimize::Found;
+
+/// The results of `optimize` at the top of its report: `analyze` reads the rest as a grasp file.
+pub(crate) const RESULT_FIELDS: [&str; 21] = [
+    "dimension",
+    "fingers",
+    "total_preload",
+    "finger_radius",
+    "quality",
+    "sigma_min",
+    "mu_eq",
+    "limited_by",
+    "center_of_compliance",
+    "reach",
+    "worst_point_stiffness",
+    "worst_point",
+    "worst_corner",
+    "preload_margin",
+    "quality_second_order",
+    "quality_second_order_missing",
+    "ties",
+    "certificate",
+    "combinations",
+    "top",
+    "reason",
+];
+
+/// What was asked, repeated in the report.
+#[derive(Clone, Copy, Debug, Serialize)]
+pub(crate) struct Question<'a> {
+    pub(crate) version: u64,
+    pub(crate) dimension: u8,
+    pub(crate) units: &'a schema::Units,
+    pub(crate) part: &'a schema::Part,
+    pub(crate) fingers: u8,
+    pub(crate) total_preload: Option<f64>,
+    pub(crate) finger_radius: f64,
+}
+
+/// The report when no placement holds the part.
+#[derive(Debug, Serialize)]
+pub(crate) struct UnansweredReport<'a> {
+    #[serde(flatten)]
+    pub(crate) question: &'a Question<'a>,
+    pub(crate) reason: &'a str,
+}
+
+/// All that `optimize` reports.
+#[derive(Debug, Serialize)]
+pub(crate) struct OptimumReport<'a> {
+    #[serde(flatten)]
+    pub(crate) question: &'a Question<'a>,
+    #[serde(flatten)]
+    pub(crate) best: PlacementReport,
+    /// How many other combinations of edges are as good.
+    pub(crate) ties: usize,
+    pub(crate) certificate: CertificateReport,
+    pub(crate) combinations: CombinationsReport,
+    /// The best combinations, the best of all included; only if more than one was asked for.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub(crate) top: Vec<PlacementReport>,
+}
+
+/// The best placement on one combination of edges.
+#[derive(Clone, Debug, Serialize)]
+pub(crate) struct PlacementReport {
+    pub(crate) quality: f64,
+    pub(crate) sigma_min: f64,
+    pub(crate) mu_eq: f64,
+    pub(crate) limited_by: &'static str,
+    pub(crate) contacts: Vec<ContactReport>,
+    pub(crate) center_of_compliance: [f64; 2],
+    pub(crate) reach: ReachReport,
+    pub(crate) worst_point_stiffness: f64,
+    pub(crate) worst_point: [f64; 2],
+    pub(crate) worst_corner: usize,
+    /// The least share.
+    pub(crate) preload_margin: f64,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(crate) quality_second_order: Option<f64>,
+    /// Why there is none in spite of a preload.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(crate) quality_second_order_missing: Option<String>,
+}
+
+/// A finger at its place, in the words of the file schema.
+#[derive(Clone, Debug, Serialize)]
+pub(crate) struct ContactReport {
+    pub(crate) edge: usize,
+    pub(crate) point: [f64; 2],
+    pub(crate) inward_normal: [f64; 2],
+    pub(crate) law: schema::Law,
+    pub(crate) preload: f64,
+    pub(crate) share: f64,
+    pub(crate) finger: schema::Finger,
+}
+
+/// What is known about the optimum.
+#[derive(Clone, Copy, Debug, Serialize)]
+pub(crate) struct CertificateReport {
+    pub(crate) proved: bool,
+    pub(crate) upper_bound: f64,
+    pub(crate) gap: f64,
+}
+
+/// What the search took.
+#[derive(Clone, Copy, Debug, Serialize)]
+pub(crate) struct CombinationsReport {
+    pub(crate) total: u64,
+    pub(crate) examined: u64,
+}
+
+impl<'a> OptimumReport<'a> {
+    /// The report on the placements `found`; `None` when there are none.
+    pub(crate) fn new(
+        question: &'a Question<'a>,
+        part: &Part,
+        outcome: &Outcome,
+        found: &[Found<'_>],
+    ) -> Option<Self> {
+        let placements = found.iter().map(|found| PlacementReport::new(question, part, found));
+        let placements: Vec<_> = placements.collect();
+        let best = placements.first()?.clone();
+        let (certificate, combinations) = (outcome.certificate, outcome.combinations);
+        Some(Self {
+            question,
+            best,
+            ties: outcome.ties,
+            certificate: CertificateReport {
+                proved: matches!(certificate.ending, Ending::Proved),
+                upper_bound: certificate.upper_bound,
+                gap: certificate.gap,
+            },
+            combinations: CombinationsReport {
+                total: combinations.total,
+                examined: combinations.examined,
+            },
+            top: if placements.len() > 1 { placements } else { Vec::new() },
+        })
+    }
+}
+
+impl PlacementReport {
+    fn new(question: &Question<'_>, part: &Part, found: &Found<'_>) -> Self {
+        let solution = found.solution;
+        let quality = solution.quality;
+        let corner = |number: usize| part.outline().corners()[number].to_array();
+        let contact = |p: &Placement| ContactReport::new(question, part, p);
+        let contacts: Vec<_> = solution.placements.iter().map(contact).collect();
+        let second = found.second_order.as_ref();
+        Self {
+            quality: quality.value,
+            sigma_min: quality.translational,
+            mu_eq: quality.equivalent,
+            limited_by: limit(quality.limited_by),
+            center_of_compliance: solution.center.to_array().map(plain),
+            reach: ReachReport {
+                corner: quality.reach.corner,
+                point: corner(quality.reach.corner),
+                distance: quality.reach.distance,
+            },
+            worst_point_stiffness: found.worst.stiffness,
+            worst_point: corner(found.worst.corner),
+            worst_corner: found.worst.corner,
+            preload_margin: contacts.iter().map(|c| c.share).fold(f64::INFINITY, f64::min),
+            contacts,
+            quality_second_order: second.and_then(|q| q.as_ref().ok()).map(|q| q.value),
+            quality_second_order_missing: second
+                .and_then(|q| q.as_ref().err())
+                .map(ToString::to_string),
+        }
+    }
+
+    /// The edges that the fingers touch.
+    pub(crate) fn edges(&self) -> Vec<usize> {
+        self.contacts.iter().map(|contact| contact.edge).collect()
+    }
+}
+
+impl ContactReport {
+    fn new(question: &Question<'_>, part: &Part, placement: &Placement) -> Self {
+        let stiffness = Finite(part.edge_stiffness()[placement.edge]);
+        let share = plain(placement.share.max(0.0));
+        Self {
+            edge: placement.edge,
+            point: placement.point.to_array().map(plain),
+            inward_normal: placement.inward_normal.to_array().map(plain),
+            law: schema::Law::Linear { stiffness },
+            preload: question.total_preload.unwrap_or(0.0) * share,
+            share,
+            finger: schema::Finger { radius: Finite(question.finger_radius) },
+        }
+    }
+}

@@ -1,0 +1,161 @@
+//! Bad input: exit code 1, the place and what is wrong in the message, nothing written.
+
+use crate::run::{Folder, QUADRILATERAL, Ran, part};
+
+/// Runs `optimize` on a bad file; returns the message.
+fn refused(name: &str, file: &str, content: impl AsRef<[u8]>) -> String {
+    let folder = Folder::new(&format!("hostile-{name}"));
+    folder.write(file, content);
+    let ran = folder.run(&format!("optimize {file} --fingers 4 --svg picture.svg"));
+    assert_eq!(folder.names(), [file], "{name}");
+    message(&ran, name)
+}
+
+fn message(ran: &Ran, name: &str) -> String {
+    assert_eq!((ran.code, ran.out.as_str()), (Some(1), ""), "{name}: {}", ran.err);
+    ran.err.clone()
+}
+
+fn assert_says(message: &str, pieces: &[&str]) {
+    for piece in pieces {
+        assert!(message.contains(piece), "`{piece}` is missing in: {message}");
+    }
+}
+
+#[test]
+fn outlines_that_enclose_nothing() {
+    for (name, outline, pieces) in [
+        ("one-point", "[[0, 0]]", ["outline: ", "1 corners", "at least 3"]),
+        ("no-point", "[]", ["outline: ", "0 corners", "at least 3"]),
+        ("line", "[[0, 0], [1, 1], [2, 2]]", ["outline: ", "all 3 corners", "one line"]),
+        ("repeated", "[[0, 0], [4, 0], [4, 0], [0, 3]]", ["outline[2]", "corners 1 and 2", "same"]),
+        ("closed", "[[0, 0], [4, 0], [0, 3], [0, 0]]", ["outline[0]", "3 and 0", "by itself"]),
+        (
+            "touching",
+            "[[0, 0], [4, 0], [2, 2], [4, 4], [0, 4], [2, 2]]",
+            ["outline[5]", "corners 2 and 5", "touch itself"],
+        ),
+        ("crossing", "[[0, 0], [4, 4], [4, 0], [0, 3]]", ["outline[2]", "edges 0 and 2", "cross"]),
+        ("huge", "[[0, 0], [1e200, 0], [0, 3]]", ["outline[1]", "1e200", "larger unit"]),
+    ] {
+        let message = refused(name, "part.toml", part(outline, "1"));
+        assert_says(&message, &["part.toml:2:", "part.planar."]);
+        assert_says(&message, &pieces);
+    }
+}
+
+#[test]
+fn numbers_that_are_none() {
+    for (name, outline, pieces) in [
+        ("nan", "[[0, 0], [nan, 0], [0, 3]]", ["part.toml:2:21: ", "outline[1][0]", "NaN"]),
+        ("inf", "[[0, 0], [4, 0], [0, -inf]]", ["part.toml:2:32: ", "outline[2][1]", "-inf"]),
+        ("overflow", "[[0, 0], [4, 1e999], [0, 3]]", ["part.toml:2:24: ", "outline[1][1]", "inf"]),
+        ("text", "[[0, 0], [4, \"0\"], [0, 3]]", ["part.toml:2:24: ", "outline[1][1]", "string"]),
+        ("three", "[[0, 0], [4, 0, 0], [0, 3]]", ["part.toml:2:20: ", "outline[1]", "[x, y]"]),
+        ("flat", "[0, 0, 4, 0, 0, 3]", ["part.toml:2:12: ", "outline[0]", "[x, y]"]),
+        ("date", "2020-01-01", ["part.toml:2:11: ", "part.planar.outline", "date"]),
+    ] {
+        assert_says(&refused(name, "part.toml", part(outline, "1")), &pieces);
+    }
+    let outline = "[[0, 0], [4, 1e999], [0, 3]]";
+    let json =
+        format!("{{\"part\": {{\"planar\": {{\"outline\": {outline}, \"stiffness\": 1}}}}}}");
+    let message = refused("json-overflow", "part.json", json);
+    assert_says(&message, &["part.json:1:46: ", "part.planar.outline[1][1]", "finite number"]);
+}
+
+#[test]
+fn stiffnesses_that_are_none() {
+    for (name, stiffness, pieces) in [
+        ("zero", "0", ["stiffness: ", "stiffness of edge 0 is 0", "positive"]),
+        ("negative", "[1, 1, -2, 1]", ["stiffness[2]: ", "edge 2 is -2", "positive"]),
+        ("few", "[1, 1, 1]", ["stiffness: ", "3 edge stiffnesses", "4 edges"]),
+        ("many", "[1, 1, 1, 1, 1]", ["stiffness: ", "5 edge stiffnesses", "4 edges"]),
+        ("infinite", "inf", ["stiffness: ", "inf", "finite number"]),
+        ("not-a-number", "[1, nan, 1, 1]", ["stiffness[1]: ", "NaN", "finite number"]),
+        ("word", "\"stiff\"", ["stiffness: ", "\"stiff\"", "list of one per edge"]),
+    ] {
+        let message = refused(name, "part.toml", part(QUADRILATERAL, stiffness));
+        assert_says(&message, &["part.toml:3:", "part.planar."]);
+        assert_says(&message, &pieces);
+    }
+}
+
+#[test]
+fn fields_that_are_wrong() {
+    let sound = part(QUADRILATERAL, "1");
+    let holes = format!("{sound}holes = []\n");
+    let typo = format!("colour = 1\n{sound}");
+    for (name, content, pieces) in [
+        (
+            "holes",
+            holes.as_str(),
+            ["part.toml:4:1: ", "part.planar.holes", "unknown field `holes`"],
+        ),
+        ("typo", &typo, ["part.toml:1:1: ", "colour", "expected one of"]),
+        ("no-part", "version = 1\n", ["part.toml:1:1", "missing field `part`", ""]),
+        ("bare", "[part]\n", ["part.toml:1:1: part: ", "`planar`", "expected"]),
+        ("missing", "[part.planar]\noutline = []\n", ["part.planar: ", "`stiffness`", "1:1"]),
+        ("version", "version = 2\n[part]\n", ["part.toml:1:11: version", "found", "expected 1"]),
+        ("half", "version = 1.5\n[part]\n", ["part.toml:1:11: version", "1.5", "whole number"]),
+        (
+            "units",
+            "units = { length = \"\" }\n[part]\n",
+            ["units.length", "\"\"", "name of a unit"],
+        ),
+        ("unit", "units = { length = \"mm\" }\n[part]\n", ["1:9: units", "missing", "`force`"]),
+        ("spatial", "[part.spatial]\nmesh = 1\n", ["part.spatial: ", "spatial part", "planar one"]),
+        ("syntax", "[part.planar\n", ["part.toml:1:", "not valid TOML", ""]),
+        ("empty", " \n", ["part.toml:1:1", "is empty", "expected a part"]),
+    ] {
+        assert_says(&refused(name, "part.toml", content), &pieces);
+    }
+}
+
+#[test]
+fn json_that_is_none() {
+    let deep = format!("{{\"part\": {}{}}}", "[".repeat(60), "]".repeat(60));
+    for (name, content, pieces) in [
+        ("json-syntax", "{\"part\":\n  {,}}", ["part.json:2:4: ", "not valid JSON", ""]),
+        ("json-nan", "{\"part\": NaN}", ["part.json:1:10: ", "not valid JSON", ""]),
+        ("json-open", "{\"part\": {", ["part.json:1:1", "not valid JSON", "EOF"]),
+        ("json-twice", "{\"part\": 1, \"part\": 2}", ["part.json:1:14", "`part`", "twice"]),
+        ("json-deep", &deep, ["part.json:1:", "nested", "32"]),
+        ("json-empty", "", ["part.json:1:1", "is empty", ""]),
+    ] {
+        assert_says(&refused(name, "part.json", content), &pieces);
+    }
+}
+
+#[test]
+fn files_that_are_none() {
+    let folder = Folder::new("no-files");
+    let missing = message(&folder.run("optimize none.toml --fingers 4"), "missing");
+    assert_says(&missing, &["none.toml: cannot be read", "No such file"]);
+    let directory = message(&folder.run("optimize . --fingers 4"), "directory");
+    assert_says(&directory, &[".: cannot be read", "directory", "expected a TOML or JSON file"]);
+    let bytes = refused("bytes", "part.toml", b"part = \"\xff\"");
+    assert_says(&bytes, &["part.toml: byte 8 is not UTF-8"]);
+}
+
+#[test]
+fn wrong_usage_has_its_own_exit_code() {
+    let folder = Folder::new("usage");
+    folder.write("part.toml", part(QUADRILATERAL, "1"));
+    for (arguments, piece) in [
+        ("optimize part.toml", "--fingers"),
+        ("optimize part.toml --fingers 5", "[possible values: 3, 4]"),
+        ("optimize part.toml --fingers 3", "--preload <F>"),
+        ("optimize part.toml --fingers 4 --preload -1", "expected more than 0"),
+        ("optimize part.toml --fingers 4 --preload nan", "expected a finite number"),
+        ("optimize part.toml --fingers 4 --finger-radius -1", "expected 0 or more"),
+        ("optimize part.toml --fingers 4 --top 0", "--top"),
+        ("analyze part.toml --frame 1,2", "found 2 numbers, expected three"),
+        ("analyze part.toml --frame 1,2,inf", "expected a finite number"),
+        ("measure part.toml", "measure"),
+    ] {
+        let ran = folder.run(arguments);
+        assert_eq!((ran.code, ran.out.as_str()), (Some(2), ""), "{arguments}");
+        assert_says(&ran.err, &[piece]);
+    }
+}

@@ -1,0 +1,9 @@
+//! The tests of the `clench` command, in one binary: each runs it on files of its own.
+
+mod answers;
+mod contacts;
+mod hostile;
+mod outputs;
+mod parts;
+mod run;
+mod unanswered;

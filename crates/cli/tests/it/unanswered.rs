@@ -1,0 +1,105 @@
+//! Sound questions without an answer: exit code 3, with the reason.
+
+use clench_testkit::cases::{Value, number, numbers};
+use clench_testkit::{assert_all_close, assert_close};
+
+use crate::run::{Folder, Ran, grasp, part};
+
+const SQUARE: &str = "[[0, 0], [2, 0], [2, 2], [0, 2]]";
+
+fn square(name: &str, contacts: &[&str]) -> (Folder, Ran) {
+    let contacts = contacts.iter().map(|contact| format!("[[contacts]]\n{contact}\n"));
+    let folder = Folder::new(name);
+    folder.write("grasp.toml", part(SQUARE, "1") + &contacts.collect::<String>());
+    let ran = folder.run("analyze grasp.toml --format json");
+    (folder, ran)
+}
+
+fn assert_unanswered(ran: &Ran, pieces: &[&str]) -> Value {
+    assert_eq!(ran.code, Some(3), "{}", ran.err);
+    for piece in pieces {
+        assert!(ran.err.contains(piece), "`{piece}` is missing in: {}", ran.err);
+    }
+    ran.json()
+}
+
+#[test]
+fn three_frictionless_fingers_do_not_hold_a_rectangle() {
+    let folder = Folder::new("rectangle");
+    folder.write("part.toml", part("[[0, 0], [4, 0], [4, 3], [0, 3]]", "1"));
+    let ran = folder.run("optimize part.toml --fingers 3 --preload 1 --svg part.svg");
+    assert_eq!((ran.code, ran.out.as_str()), (Some(3), ""));
+    assert!(ran.err.contains("no placement of 3 frictionless fingers"), "{}", ran.err);
+    assert_eq!(folder.names(), ["part.svg", "part.toml"]);
+    let report = folder.run("optimize part.toml --fingers 3 --preload 1 --format json").json();
+    assert!(report["reason"].as_str().is_some_and(|reason| reason.contains("free to rotate")));
+    assert_eq!(report["quality"], Value::Null);
+}
+
+#[test]
+fn two_opposite_fingers_leave_the_part_free_to_slide() {
+    let (folder, ran) = square("opposite", &["point = [1, 0]", "point = [1, 2]"]);
+    let report = assert_unanswered(&ran, &["not stable", "free to slide along (1, 0)"]);
+    assert_eq!(report["quality"], Value::Null);
+    assert_eq!(report["stability"], "marginal");
+    assert_all_close(&numbers(&report["free_motion"]["direction"]), &[1.0, 0.0], 0.0, "free");
+    // What exists is there.
+    let expected = [0.0, 0.0, 0.0, 0.0, 2.0, 2.0, 0.0, 2.0, 2.0];
+    assert_all_close(&numbers(&report["stiffness"]), &expected, 0.0, "stiffness");
+    assert_eq!(report["equilibrium"]["holds"], true);
+    let text = folder.run("analyze grasp.toml --svg grasp.svg");
+    assert_eq!(text.code, Some(3));
+    assert!(text.out.contains("no answer the grasp is not stable"), "{}", text.out);
+    assert!(folder.path("grasp.svg").exists());
+}
+
+#[test]
+fn a_preload_that_pushes_the_part_away_is_named() {
+    let finger = |point: &str| format!("point = {point}\npreload = 0.01");
+    let fingers = ["[1, 0]", "[2, 1]", "[1, 2]", "[0, 1]"].map(finger);
+    let fingers: Vec<&str> = fingers.iter().map(String::as_str).collect();
+    // Their lines of action meet in the middle: preload alone resists rotation.
+    let (folder, ran) = square("concurrent", &fingers);
+    assert_eq!((ran.code, ran.json()["stability"].as_str()), (Some(0), Some("second_order")));
+    let first = folder.run("analyze grasp.toml --order first --format json");
+    let report = assert_unanswered(&first, &["free to turn about (1, 1) L"]);
+    assert_all_close(&numbers(&report["free_motion"]["center"]), &[1.0, 1.0], 1e-15, "center");
+}
+
+#[test]
+fn a_finger_that_would_have_to_pull_is_named() {
+    // Of three normals that all point to the right or up and down, one has to pull.
+    let contacts = ["point = [6.5, 0]", "point = [11, 4]", "point = [9.5, 7]"];
+    let folder = Folder::new("pulling");
+    folder.write("grasp.toml", grasp(&contacts));
+    let ran = folder.run("analyze grasp.toml --format json");
+    let report = assert_unanswered(&ran, &["no answer"]);
+    assert_eq!(report["force_closure"], false);
+
+    let (_, ran) = square(
+        "pulled-out",
+        &["point = [0.5, 0]", "point = [1.5, 0]", "point = [0, 1]", "point = [1, 0]"],
+    );
+    let report = assert_unanswered(&ran, &["can only push"]);
+    // The springs alone would hold the part, so its numbers are there.
+    assert_eq!(report["stability"], "first_order");
+    assert!(number(&report["quality"]) > 0.0);
+}
+
+#[test]
+fn preloads_that_do_not_balance_are_reported() {
+    let contacts = [
+        "point = [0.5, 0]\npreload = 1",
+        "point = [2, 1.5]",
+        "point = [1.5, 2]",
+        "point = [0, 0.5]",
+    ];
+    let (folder, ran) = square("unbalanced", &contacts);
+    let report = ran.json();
+    assert_eq!((ran.code, &report["equilibrium"]["holds"]), (Some(0), &Value::Bool(false)));
+    assert_eq!(report["order"], "first");
+    assert_all_close(&numbers(&report["equilibrium"]["residual_force"]), &[0.0, 1.0], 0.0, "f");
+    assert_close(number(&report["equilibrium"]["residual_torque"]), 0.5, 0.0, 1.0, "tau");
+    let text = folder.run("analyze grasp.toml --order second");
+    assert!(text.out.contains("depend on the frame"), "{}", text.out);
+}

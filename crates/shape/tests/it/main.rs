@@ -1,0 +1,13 @@
+//! The tests of clench-shape, in one binary.
+
+#![allow(
+    clippy::unwrap_used,
+    clippy::expect_used,
+    clippy::panic,
+    clippy::float_cmp,
+    reason = "a test that cannot go on fails, and exact results are compared exactly"
+)]
+
+mod cases;
+mod laws;
+mod limits;
