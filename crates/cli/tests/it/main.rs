@@ -2,6 +2,7 @@
 
 mod answers;
 mod contacts;
+mod documents;
 mod hostile;
 mod outputs;
 mod parts;

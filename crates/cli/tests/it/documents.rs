@@ -1,0 +1,86 @@
+//! The examples of the documents run as they stand.
+
+#![allow(clippy::unwrap_used, reason = "a test that cannot go on fails")]
+
+use std::fs;
+use std::path::Path;
+
+use crate::run::Folder;
+
+const ROOT: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../..");
+
+fn document(path: &str) -> String {
+    fs::read_to_string(Path::new(ROOT).join(path)).unwrap()
+}
+
+/// The contents of the code blocks of a language.
+fn blocks<'a>(text: &'a str, language: &str) -> Vec<&'a str> {
+    let fence = format!("```{language}\n");
+    text.split(&fence).skip(1).map(|rest| rest.split("```").next().unwrap()).collect()
+}
+
+/// A folder with the example parts of the repository.
+fn with_parts(name: &str) -> Folder {
+    let folder = Folder::new(name);
+    fs::create_dir(folder.path("parts")).unwrap();
+    for entry in fs::read_dir(Path::new(ROOT).join("parts")).unwrap() {
+        let entry = entry.unwrap();
+        fs::copy(entry.path(), folder.path("parts").join(entry.file_name())).unwrap();
+    }
+    folder
+}
+
+#[test]
+fn the_commands_of_the_readme_find_an_answer() {
+    let readme = document("README.md");
+    let folder = with_parts("readme");
+    let mut ran = 0;
+    for line in blocks(&readme, "sh").into_iter().flat_map(str::lines) {
+        let arguments = line.strip_prefix("cargo run -- ").or(line.strip_prefix("clench "));
+        if let Some(arguments) = arguments {
+            let result = folder.run(arguments);
+            assert_eq!((result.code, result.err.as_str()), (Some(0), ""), "{line}");
+            ran += 1;
+        }
+    }
+    assert_eq!(ran, 5);
+    let drawn = fs::read_to_string(folder.path("bracket.svg")).unwrap();
+    assert!(
+        drawn == document("docs/bracket.svg"),
+        "docs/bracket.svg is stale; mend: \
+         cargo run -- optimize parts/bracket.toml --fingers 4 --svg docs/bracket.svg"
+    );
+}
+
+#[test]
+fn the_files_of_the_page_on_files_are_read() {
+    let page = document("docs/files.md");
+    let files = blocks(&page, "toml");
+    assert_eq!(files.len(), 2);
+    let folder = Folder::new("files-page");
+    folder.write("part.toml", files[0]).write("grasp.toml", files[1]);
+    assert_eq!(folder.run("optimize part.toml --fingers 4").code, Some(0));
+    let grasp = folder.run("analyze grasp.toml");
+    assert_eq!((grasp.code, grasp.err.as_str()), (Some(0), ""));
+    assert!(grasp.out.contains("stable to first order"), "{}", grasp.out);
+}
+
+/// Each key that the page lists is in the report, and the other way round.
+#[test]
+fn the_keys_of_the_reports_are_those_of_the_page() {
+    let page = document("docs/files.md");
+    let folder = with_parts("keys");
+    let analyze = "analyze parts/quadrilateral-grasp.toml";
+    let optimize = "optimize parts/quadrilateral.toml --fingers 4 --preload 0.8 --top 2";
+    for (command, title) in [(analyze, "| key of `analyze`"), (optimize, "| key of `optimize`")] {
+        let table = page.split(title).nth(1).unwrap().split("\n\n").next().unwrap();
+        let cells = table.lines().skip(2).map(|row| row.split(" | ").next().unwrap());
+        let mut listed: Vec<&str> =
+            cells.flat_map(|cell| cell.split('`').skip(1).step_by(2)).collect();
+        let report = folder.json(command);
+        let mut found: Vec<&str> = report.as_object().unwrap().keys().map(String::as_str).collect();
+        listed.sort_unstable();
+        found.sort_unstable();
+        assert_eq!(found, listed, "{command}");
+    }
+}
