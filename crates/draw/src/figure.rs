@@ -277,7 +277,8 @@ impl Figure {
         let [left, top] = page.min.map(number);
         let (width, height) = (number(width), number(height));
         format!(
-            "<svg xmlns=\"http://www.w3.org/2000/svg\" xml:space=\"preserve\" width=\"{width}\" height=\"{height}\" \
+            "<svg xmlns=\"http://www.w3.org/2000/svg\" xml:space=\"preserve\" \
+             width=\"{width}\" height=\"{height}\" \
              viewBox=\"{left} {top} {width} {height}\">\n\
              <rect x=\"{left}\" y=\"{top}\" width=\"{width}\" height=\"{height}\" \
              fill=\"#ffffff\"/>\n\
