@@ -36,7 +36,7 @@ fn planar(c: &mut Criterion) {
         b.iter(|| WorstPoint::of(black_box(&known), &outline).unwrap());
     });
     group.bench_function("preloads and force closure", |b| {
-        b.iter(|| black_box(&grasp).preloads());
+        b.iter(|| black_box(&grasp).preloads().unwrap());
     });
     group.bench_function("stability class", |b| b.iter(|| black_box(&grasp).stability()));
     group.finish();

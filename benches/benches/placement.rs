@@ -53,7 +53,7 @@ fn all_combinations(c: &mut Criterion) {
             b.iter(|| four_fingers(part, &FourFingers::default(), |_| {}).unwrap());
         });
         group.bench_with_input(BenchmarkId::new("three fingers", edges), &part, |b, part| {
-            b.iter(|| three_fingers(part, &ThreeFingers::with_preload(1.0)).unwrap());
+            b.iter(|| three_fingers(part, &ThreeFingers::with_preload(1.0), |_| {}).unwrap());
         });
     }
     group.finish();

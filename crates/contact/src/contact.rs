@@ -45,7 +45,7 @@ impl<const N: usize, const M: usize> Contact<N, M> {
         let radius = not_negative("finger radius", radius)?;
         let preload = not_negative("preload", preload)?;
         let depth = law.overlap(preload);
-        let slope = law.stiffness(depth);
+        let slope = law.slope(depth);
         positive("slope", slope).map_err(|_| ContactError::NoStiffness { slope })?;
         let overlap = Overlap::new(point, normal, radius, depth);
         Ok(Self { overlap, law, preload, slope })

@@ -1,6 +1,6 @@
 //! Compliant contacts: force laws, overlap, its gradient and Hessian, one contact's stiffness.
 //!
-//! A finger and a body that are pressed together are modelled by the overlap `delta` of their
+//! A finger and a body that are pressed together are modeled by the overlap `delta` of their
 //! undeformed shapes, and a [`Law`] that gives the contact force as a function of it. From the
 //! gradient and the Hessian of the [`Overlap`] follows the [`Contact`]'s share
 //!

@@ -15,16 +15,17 @@ use clench_screw::{Frame, Stiffness, Vector, Wrench, lever};
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Overlap<const N: usize, const M: usize> {
     point: Vector<N>,
-    normal: Vector<N>,
+    inward_normal: Vector<N>,
     center: Vector<N>,
     radius: f64,
     depth: f64,
 }
 
 impl<const N: usize, const M: usize> Overlap<N, M> {
-    /// The overlap of depth `depth` at `point` on a face with the unit inward normal `normal`.
-    pub(crate) fn new(point: Vector<N>, normal: Vector<N>, radius: f64, depth: f64) -> Self {
-        Self { point, normal, center: point - normal * (radius - depth), radius, depth }
+    /// The overlap of depth `depth` at `point` on a face with the unit `inward_normal`.
+    pub(crate) fn new(point: Vector<N>, inward_normal: Vector<N>, radius: f64, depth: f64) -> Self {
+        let center = point - inward_normal * (radius - depth);
+        Self { point, inward_normal, center, radius, depth }
     }
 
     /// `b`, the deepest point of the body (length).
@@ -35,8 +36,8 @@ impl<const N: usize, const M: usize> Overlap<N, M> {
 
     /// `n`, the unit normal into the body.
     #[must_use]
-    pub const fn normal(&self) -> Vector<N> {
-        self.normal
+    pub const fn inward_normal(&self) -> Vector<N> {
+        self.inward_normal
     }
 
     /// `c`, the center of the finger's tip (length).
@@ -61,7 +62,7 @@ impl<const N: usize, const M: usize> Overlap<N, M> {
     /// frame is at rest. Negative when the finger has come free, by the distance.
     #[must_use]
     pub fn depth_after(&self, displacement: &Frame<N, M>) -> f64 {
-        let normal = displacement.direction_to_parent(self.normal);
+        let normal = displacement.direction_to_parent(self.inward_normal);
         let point = displacement.point_to_parent(self.point);
         self.radius + normal.dot(self.center - point)
     }
@@ -69,7 +70,7 @@ impl<const N: usize, const M: usize> Overlap<N, M> {
     /// `grad delta = -(n, b x n)` about `origin`, a covector.
     #[must_use]
     pub fn gradient(&self, origin: Vector<N>) -> Wrench<N, M> {
-        Wrench::of_force_at(-self.normal, self.point - origin)
+        Wrench::of_force_at(-self.inward_normal, self.point - origin)
     }
 
     /// `D^2 delta` about `origin`, in the chart `(d, phi)` with `R = exp(phi)`:
@@ -80,7 +81,7 @@ impl<const N: usize, const M: usize> Overlap<N, M> {
     /// `R n = n + phi x n + phi x (phi x n) / 2`.
     #[must_use]
     pub fn hessian(&self, origin: Vector<N>) -> Stiffness<N, M> {
-        let normal = lever::<N, M>(self.normal);
+        let normal = lever::<N, M>(self.inward_normal);
         let center = lever::<N, M>(self.center - origin);
         Stiffness {
             coupling: normal,

@@ -1,7 +1,9 @@
 //! Why a search could not be made, or found nothing.
 
+use clench_metrics::MetricsError;
+
 /// What is wrong with the question, or why it has no answer.
-#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum OptimizeError {
     /// The number of edge stiffnesses is not the number of edges.
@@ -43,13 +45,52 @@ pub enum OptimizeError {
         /// The last edge of the outline.
         last: usize,
     },
-    /// No placement of this many frictionless fingers can hold the part.
+    /// There are more combinations of edges than can be counted.
+    #[error("an outline of {edges} edges has more combinations of edges than can be counted")]
+    TooManyEdges {
+        /// The number of edges.
+        edges: usize,
+    },
+    /// The largest edge stiffness is too many times the smallest.
+    #[error(
+        "the edge stiffnesses go from {smallest:e} to {largest:e}: their ratio has to be below \
+         {limit:e}, or the smaller ones are lost in the rounding of the larger ones"
+    )]
+    StiffnessSpread {
+        /// The smallest.
+        smallest: f64,
+        /// The largest.
+        largest: f64,
+        /// [`crate::polygon::LARGEST_SPREAD`].
+        limit: f64,
+    },
+    /// A placement was found whose stiffness has no principal parameters in the range of numbers.
+    #[error("the best placement on edges {edges:?} is out of the range of numbers: {source}")]
+    OutOfRange {
+        /// The edges.
+        edges: Vec<usize>,
+        /// What its stiffness lacks.
+        source: MetricsError,
+    },
+    /// The normals of no combination positively span the plane.
+    #[error(
+        "no placement of {fingers} frictionless fingers holds the part: on none of the \
+         {combinations} edge combinations can the inward normals balance, so the part can always \
+         be pushed away"
+    )]
+    NormalsNeverBalance {
+        /// The number of fingers.
+        fingers: usize,
+        /// The number of edge combinations.
+        combinations: u64,
+    },
+    /// Where normals can balance, torques cannot.
     #[error(
         "no placement of {fingers} frictionless fingers holds the part: of {combinations} edge \
-         combinations, {spanning} have normals that can balance, and on none of those can the \
-         lines of action balance the torque, so the part stays free to rotate"
+         combinations, {spanning} have normals that can balance, and on none of those do the \
+         torques balance as well, so the part can always be turned away"
     )]
-    NoPlacement {
+    TorquesNeverBalance {
         /// The number of fingers.
         fingers: usize,
         /// The number of edge combinations.

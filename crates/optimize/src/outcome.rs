@@ -1,6 +1,6 @@
 //! What a search returns.
 
-use clench_metrics::Quality;
+use clench_metrics::{Principal, Quality};
 use clench_screw::Vector;
 
 /// Where one finger goes.
@@ -27,11 +27,17 @@ pub struct Solution {
     /// Its quality. When translation limits it, every placement on these edges whose equivalent
     /// stiffness reaches `quality.translational` is as good; this one has the largest.
     pub quality: Quality,
-    /// The center of compliance (length).
-    pub center: Vector<2>,
+    /// The principal parameters of its stiffness, in the frame of the outline.
+    pub principal: Principal<2, 1>,
 }
 
 impl Solution {
+    /// The center of compliance (length).
+    #[must_use]
+    pub fn center(&self) -> Vector<2> {
+        self.principal.center()
+    }
+
     /// The edges that the fingers touch, ascending.
     #[must_use]
     pub fn edges(&self) -> Vec<usize> {
@@ -39,23 +45,11 @@ impl Solution {
     }
 }
 
-/// How a search ended.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[non_exhaustive]
-pub enum Ending {
-    /// Every combination was solved, or bounded below the best.
-    Proved,
-}
-
-/// What is known about the optimum.
+/// What is proved about the optimum: every combination was solved, or bounded below the best.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Certificate {
-    /// How the search ended.
-    pub ending: Ending,
     /// No placement has a larger quality (force / length), up to rounding.
     pub upper_bound: f64,
-    /// `(upper_bound - best) / upper_bound`.
-    pub gap: f64,
 }
 
 /// How many edge combinations a search looked at.
@@ -70,8 +64,11 @@ pub struct Combinations {
 /// The end of a search.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Outcome {
-    /// The best placements on the best combinations of edges, best first; never empty.
-    pub solutions: Vec<Solution>,
+    /// The best placement.
+    pub best: Solution,
+    /// The best placements on the next best combinations of edges, as many as were asked for and
+    /// exist, best first.
+    pub others: Vec<Solution>,
     /// How many further combinations are as good as the best, up to rounding. Among ties, the
     /// largest equivalent stiffness comes first, then the lower edge numbers.
     pub ties: usize,
@@ -79,6 +76,13 @@ pub struct Outcome {
     pub certificate: Certificate,
     /// What it took.
     pub combinations: Combinations,
+}
+
+impl Outcome {
+    /// The best placement and the others, best first.
+    pub fn solutions(&self) -> impl Iterator<Item = &Solution> {
+        std::iter::once(&self.best).chain(&self.others)
+    }
 }
 
 /// A search on its way.

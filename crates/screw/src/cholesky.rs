@@ -23,7 +23,7 @@ pub struct Cholesky<const N: usize> {
 }
 
 impl<const N: usize> Cholesky<N> {
-    /// Factorises `a`.
+    /// Factorizes `a`.
     ///
     /// # Errors
     ///

@@ -67,7 +67,8 @@ fn sweep<const N: usize>(a: &mut Mat<N, N>, basis: &mut Mat<N, N>) -> bool {
     let mut rotated = false;
     for p in 0..N {
         for q in p + 1..N {
-            let scale = (a[p][p].abs() * a[q][q].abs()).sqrt();
+            // Two roots, since the product may overflow.
+            let scale = a[p][p].abs().sqrt() * a[q][q].abs().sqrt();
             if a[p][q].abs() > NO_ROTATION * scale {
                 rotate(a, basis, p, q);
                 rotated = true;

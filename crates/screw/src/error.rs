@@ -1,6 +1,6 @@
 //! What can go wrong in this crate.
 
-/// Why a matrix could not be factorised.
+/// Why a matrix could not be factorized.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum ScrewError {

@@ -23,7 +23,7 @@
 //!
 //! # When not to use it
 //!
-//! The matrices are fixed-size and tiny (3 x 3 at most is ever factorised). For anything
+//! The matrices are fixed-size and tiny (3 x 3 at most is ever factorized). For anything
 //! larger, or of a size known only at run time, use a linear-algebra library.
 
 mod vector;

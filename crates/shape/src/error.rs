@@ -61,7 +61,7 @@ pub enum PolygonError {
         /// Its second corner; 0 when the last corner repeats the first.
         end: usize,
     },
-    /// Two corners that are no neighbours are the same point, so that the outline touches itself.
+    /// Two corners that are no neighbors are the same point, so that the outline touches itself.
     #[error(
         "corners {first} and {second} are the same point, but an outline must not touch itself"
     )]
@@ -83,12 +83,12 @@ pub enum PolygonError {
         /// The second of the two edges, and the number of the corner between them.
         edge: usize,
     },
-    /// Two edges that are no neighbours have a point in common.
+    /// Two edges that are no neighbors have a point in common.
     #[error("edges {first} and {second} cross or touch, but an outline must not meet itself")]
     CrossingEdges {
         /// The first edge that meets another.
         first: usize,
-        /// The first edge, after its neighbour, that it meets.
+        /// The first edge, after its neighbor, that it meets.
         second: usize,
     },
 }

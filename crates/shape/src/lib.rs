@@ -47,7 +47,7 @@ mod circle;
 mod reach;
 mod stretch;
 
-mod boundary;
+mod border;
 mod partition;
 
 mod hull;
@@ -56,11 +56,11 @@ mod tree;
 mod triangulation;
 mod validity;
 
-pub use boundary::Boundary;
+pub use border::Border;
 pub use circle::Circle;
 pub use edge::Edge;
 pub use error::PolygonError;
-pub use partition::{Cell, FarthestPartition};
+pub use partition::{FarthestPartition, Region};
 pub use place::Place;
 pub use polygon::{Polygon, Winding};
 pub use reach::Reach;

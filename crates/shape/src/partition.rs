@@ -2,11 +2,11 @@
 
 use clench_screw::Vector;
 
-use crate::boundary::border;
+use crate::border::border;
 use crate::stretch::Stretches;
 use crate::tree::Tree;
 use crate::triangulation::Triangulation;
-use crate::{Boundary, Reach, Stretch};
+use crate::{Border, Reach, Stretch};
 
 /// Up to this many corners of the hull a scan over all of them is quicker than the tree.
 ///
@@ -22,37 +22,37 @@ const SCAN_LIMIT: usize = 32;
 pub struct FarthestPartition {
     corners: Vec<usize>,
     sites: Vec<Vector<2>>,
-    boundaries: Vec<Boundary>,
-    cells: Vec<Cell>,
+    borders: Vec<Border>,
+    regions: Vec<Region>,
     /// None when there are few sites.
     tree: Option<Tree>,
 }
 
 /// The region of one farthest corner.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Cell {
+pub struct Region {
     /// The number of the corner.
     pub corner: usize,
     /// Its borders, counter-clockwise about the region: places in
-    /// [`FarthestPartition::boundaries`]. The first and the last are rays.
-    pub boundaries: Vec<usize>,
+    /// [`FarthestPartition::borders`]. The first and the last are rays.
+    pub borders: Vec<usize>,
 }
 
 impl FarthestPartition {
     /// The partition for a hull's corners, counter-clockwise, and their farthest triangulation.
     pub(crate) fn new(corners: &[usize], sites: Vec<Vector<2>>, mesh: &Triangulation) -> Self {
-        let (boundaries, numbers) = borders(corners, &sites, mesh);
-        let cells = (0..sites.len())
-            .map(|site| Cell { corner: corners[site], boundaries: around(site, mesh, &numbers) })
+        let (borders, numbers) = borders(corners, &sites, mesh);
+        let regions = (0..sites.len())
+            .map(|site| Region { corner: corners[site], borders: around(site, mesh, &numbers) })
             .collect();
         let tree = (sites.len() > SCAN_LIMIT).then(|| Tree::new(&sites, mesh));
-        Self { corners: corners.to_vec(), sites, boundaries, cells, tree }
+        Self { corners: corners.to_vec(), sites, borders, regions, tree }
     }
 
     /// The regions, in the order of the hull.
     #[must_use]
-    pub fn cells(&self) -> &[Cell] {
-        &self.cells
+    pub fn regions(&self) -> &[Region] {
+        &self.regions
     }
 
     /// The borders between regions, each once.
@@ -60,8 +60,8 @@ impl FarthestPartition {
     /// There are `2 h - 3` for `h` corners of the hull, `h` of them rays. Where more than three
     /// corners are on one circle, to rounding, borders shrink to points and are left out.
     #[must_use]
-    pub fn boundaries(&self) -> &[Boundary] {
-        &self.boundaries
+    pub fn borders(&self) -> &[Border] {
+        &self.borders
     }
 
     /// The corner farthest from `point`; see [`Polygon::farthest`](crate::Polygon::farthest).
@@ -110,9 +110,9 @@ fn borders(
     corners: &[usize],
     sites: &[Vector<2>],
     mesh: &Triangulation,
-) -> (Vec<Boundary>, BorderNumbers) {
+) -> (Vec<Border>, BorderNumbers) {
     let triangles = mesh.triangles();
-    let mut boundaries = Vec::with_capacity(2 * sites.len());
+    let mut borders = Vec::with_capacity(2 * sites.len());
     let mut numbers: BorderNumbers = vec![[None; 3]; triangles.len()];
     for (t, triangle) in triangles.iter().enumerate() {
         for i in 0..3 {
@@ -121,23 +121,23 @@ fn borders(
                 continue;
             }
             let beyond = across.map(|other| &triangles[other]);
-            let Some(boundary) = border((sites, corners), triangle, i, beyond) else {
+            let Some(found) = border((sites, corners), triangle, i, beyond) else {
                 continue;
             };
-            numbers[t][i] = Some(boundaries.len());
+            numbers[t][i] = Some(borders.len());
             if let Some(other) = across {
                 let side = triangles[other].across.iter().position(|&back| back == Some(t));
-                numbers[other][side.unwrap_or_default()] = Some(boundaries.len());
+                numbers[other][side.unwrap_or_default()] = Some(borders.len());
             }
-            boundaries.push(boundary);
+            borders.push(found);
         }
     }
-    (boundaries, numbers)
+    (borders, numbers)
 }
 
-/// The numbers of the borders of a site's cell, counter-clockwise.
+/// The numbers of the borders of a site's region, counter-clockwise.
 ///
-/// The cell is on the far side of the plane, turned by half a turn, so that its borders come in
+/// The region is on the far side of the plane, turned by half a turn, so that its borders come in
 /// the order of the sides at the site, from the hull's side after it to the one before.
 fn around(site: usize, mesh: &Triangulation, numbers: &BorderNumbers) -> Vec<usize> {
     let mut at = Some(mesh.outer(site));

@@ -6,7 +6,7 @@ use crate::triangulation::{Triangle, Triangulation, to_circumcenter, widest};
 
 /// A triangle of the farthest triangulation, with the three parts of the plane about it.
 ///
-/// From the circumcenter, the rays away from the three corners stay within the cells of these
+/// From the circumcenter, the rays away from the three corners stay within the regions of these
 /// corners, since a point moving straight away from its farthest site keeps it. So the rays divide
 /// the plane into three sectors, and the farthest site of a point in the sector between two rays
 /// is on the chain of the hull between the two corners. With the triangles in the order of a
@@ -71,7 +71,7 @@ impl Tree {
 }
 
 impl Node {
-    /// The node of a triangle without children, and the neighbours opposite its sites.
+    /// The node of a triangle without children, and the neighbors opposite its sites.
     fn new(sites: &[Vector<2>], triangle: &Triangle) -> (Self, [Option<usize>; 3]) {
         let at = triangle.corners.map(|c| sites[c]);
         let widest = widest(at);

@@ -78,7 +78,7 @@ impl Triangulation {
         self.outer[site]
     }
 
-    /// Puts `site` back between its neighbours at this stage.
+    /// Puts `site` back between its neighbors at this stage.
     fn insert(&mut self, sites: &[Vector<2>], site: usize, before: usize, after: usize) {
         let (inner, new) = (self.outer[before], self.triangles.len());
         let corners = [site, after, before];
@@ -127,7 +127,7 @@ impl Triangulation {
 /// A fixed order of `0..count` without a pattern: the insertion takes expected linear time.
 fn shuffled(count: usize) -> Vec<usize> {
     let mut order: Vec<usize> = (0..count).collect();
-    // The finaliser of SplitMix64, a bijection that scatters consecutive numbers.
+    // The finalizer of SplitMix64, a bijection that scatters consecutive numbers.
     order.sort_by_cached_key(|&i| {
         let mut key = (i as u64).wrapping_mul(0x9e37_79b9_7f4a_7c15);
         key = (key ^ (key >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);

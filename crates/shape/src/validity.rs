@@ -73,7 +73,7 @@ fn check_edge_lengths(corners: &[Vector<2>]) -> Result<(), PolygonError> {
     Ok(())
 }
 
-/// Equal points are neighbours in the sorted order, the lower number first.
+/// Equal points are neighbors in the sorted order, the lower number first.
 fn check_repetition(corners: &[Vector<2>], order: &[usize]) -> Result<(), PolygonError> {
     let equal = |pair: &&[usize]| compare(corners[pair[0]], corners[pair[1]]) == Ordering::Equal;
     match order.windows(2).filter(equal).min() {
@@ -88,7 +88,7 @@ fn check_folds(corners: &[Vector<2>]) -> Result<(), PolygonError> {
     for edge in 0..n {
         let (before, at, after) =
             (corners[(edge + n - 1) % n], corners[edge], corners[(edge + 1) % n]);
-        // On one line, the neighbours are on the same side of the corner if the order says so.
+        // On one line, the neighbors are on the same side of the corner if the order says so.
         let folded = compare(before, at) != compare(at, after);
         if folded && turn(before, at, after) == 0.0 {
             return Err(PolygonError::FoldedEdge { edge });
@@ -97,7 +97,7 @@ fn check_folds(corners: &[Vector<2>]) -> Result<(), PolygonError> {
     Ok(())
 }
 
-/// Looks for the first edge that meets another one that is not its neighbour.
+/// Looks for the first edge that meets another one that is not its neighbor.
 ///
 /// Cost: O(n log n) when few boxes of edges overlap, as on the outlines of parts.
 fn check_crossings(corners: &[Vector<2>]) -> Result<(), PolygonError> {

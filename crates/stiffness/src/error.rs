@@ -16,4 +16,12 @@ pub enum GraspError {
         /// The first contact whose share is not finite, from 0.
         contact: usize,
     },
+    /// The linear program over the preloads could not be solved, though it is bounded.
+    #[error(
+        "whether the preloads of {contacts} contacts can balance was not decided: numerical trouble"
+    )]
+    Preloads {
+        /// How many contacts there are.
+        contacts: usize,
+    },
 }

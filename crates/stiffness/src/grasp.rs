@@ -35,10 +35,8 @@ impl<const N: usize, const M: usize> Grasp<N, M> {
         if let Some(contact) = contacts.iter().position(|c| !finite(c)) {
             return Err(GraspError::OutOfRange { contact });
         }
-        let extent = |c: &Contact<N, M>| {
-            (c.overlap().point() - centroid).norm() + c.overlap().finger_radius()
-        };
-        let length = contacts.iter().map(extent).fold(0.0, f64::max);
+        let distance = |c: &Contact<N, M>| (c.overlap().point() - centroid).norm();
+        let length = contacts.iter().map(distance).fold(0.0, f64::max);
         Ok(Self { contacts, centroid, length })
     }
 
@@ -55,10 +53,16 @@ impl<const N: usize, const M: usize> Grasp<N, M> {
     }
 
     /// The length that makes torques comparable to forces: the largest distance of a contact from
-    /// the centroid, its finger's radius included (length).
+    /// the centroid (length).
     #[must_use]
     pub const fn length(&self) -> f64 {
         self.length
+    }
+
+    /// [`Self::length`], or 1 when it is 0: contacts that all coincide, of pointed fingers, have no
+    /// torque to scale.
+    pub(crate) fn torque_length(&self) -> f64 {
+        if self.length > 0.0 { self.length } else { 1.0 }
     }
 
     /// The sum of the contact forces, `f_T`.

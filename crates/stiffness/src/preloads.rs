@@ -3,7 +3,7 @@
 use faer::Mat;
 use microlp::{ComparisonOp, OptimizationDirection, Problem};
 
-use crate::Grasp;
+use crate::{Grasp, GraspError};
 
 /// A singular value below this many units of rounding of the largest, per row and column, counts
 /// as zero: the entries of the wrench map are rounded by a few units each.
@@ -47,18 +47,22 @@ pub struct BestPreload {
 
 impl<const N: usize, const M: usize> Grasp<N, M> {
     /// The balanced preloads of these contacts, whatever their own preloads are.
-    #[must_use]
-    pub fn preloads(&self) -> Preloads {
+    ///
+    /// # Errors
+    ///
+    /// [`GraspError::Preloads`] when the linear program over the preloads has an answer that its
+    /// solver does not find.
+    pub fn preloads(&self) -> Result<Preloads, GraspError> {
         let count = self.contacts().len();
         let (rank, basis) = self.null_space();
-        let best = best_preload(&basis);
+        let best = best_preload(&basis)?;
         let can_press = best.as_ref().is_some_and(|b| b.margin > ZERO_MARGIN * count as f64);
-        Preloads { rank, force_closure: rank == N + M && can_press, basis, best }
+        Ok(Preloads { rank, force_closure: rank == N + M && can_press, basis, best })
     }
 
     fn null_space(&self) -> (usize, Vec<Vec<f64>>) {
         let count = self.contacts().len();
-        let length = if self.length() > 0.0 { self.length() } else { 1.0 };
+        let length = self.torque_length();
         let columns: Vec<_> =
             self.contacts().iter().map(|c| c.unit_wrench(self.centroid())).collect();
         let map = Mat::from_fn(N + M, count, |i, j| {
@@ -75,9 +79,9 @@ impl<const N: usize, const M: usize> Grasp<N, M> {
     }
 }
 
-/// Maximises the least force over `{B y : sum(B y) = 1}`, a linear program in `y`.
-fn best_preload(basis: &[Vec<f64>]) -> Option<BestPreload> {
-    let count = basis.first()?.len();
+/// Maximizes the least force over `{B y : sum(B y) = 1}`, a linear program in `y`.
+fn best_preload(basis: &[Vec<f64>]) -> Result<Option<BestPreload>, GraspError> {
+    let Some(count) = basis.first().map(Vec::len) else { return Ok(None) };
     let free = (f64::NEG_INFINITY, f64::INFINITY);
     let mut program = Problem::new(OptimizationDirection::Maximize);
     let least = program.add_var(1.0, free);
@@ -92,7 +96,12 @@ fn best_preload(basis: &[Vec<f64>]) -> Option<BestPreload> {
     let total: Vec<_> =
         weights.iter().zip(basis).map(|(&y, b)| (y, clean(b.iter().sum()))).collect();
     program.add_constraint(total.as_slice(), ComparisonOp::Eq, 1.0);
-    let solution = program.solve().ok()?.into_solution().ok()?;
+    let solution = match program.solve().map(microlp::SolveOutcome::into_solution) {
+        Ok(Ok(solution)) => solution,
+        // No combination of the null vectors has a total.
+        Err(microlp::Error::Infeasible) => return Ok(None),
+        _ => return Err(GraspError::Preloads { contacts: count }),
+    };
 
     let forces: Vec<f64> = (0..count)
         .map(|i| weights.iter().zip(basis).map(|(&y, b)| solution.var_value(y) * b[i]).sum())
@@ -100,5 +109,5 @@ fn best_preload(basis: &[Vec<f64>]) -> Option<BestPreload> {
     let sum: f64 = forces.iter().sum();
     let shares: Vec<f64> = forces.iter().map(|force| force / sum).collect();
     let margin = shares.iter().copied().fold(f64::INFINITY, f64::min);
-    Some(BestPreload { shares, margin })
+    Ok(Some(BestPreload { shares, margin }))
 }

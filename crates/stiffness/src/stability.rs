@@ -52,8 +52,7 @@ impl<const N: usize, const M: usize> Grasp<N, M> {
     }
 
     fn smallest_sign(&self, stiffness: &Stiffness<N, M>) -> Sign {
-        // Contacts that all coincide, of pointed fingers, have no torque to scale.
-        let length = if self.length() > 0.0 { self.length() } else { 1.0 };
+        let length = self.torque_length();
         let unit = |i: usize| if i < N { 1.0 } else { length };
         let size = N + M;
         let scaled = Mat::from_fn(size, size, |i, j| stiffness.entry(i, j) / unit(i) / unit(j));

@@ -25,7 +25,7 @@ pub(crate) fn all(paper: &Paper) -> Result<Vec<(&'static str, Figure)>, DrawErro
         ("figure-3", strips(paper)?),
         ("figure-4-I", grasp(paper, one, "Grasp I", "/f_{T}")?),
         ("figure-4-II", grasp(paper, two, "Grasp II", "/f_{T}")?),
-        ("figure-5", grasp(paper, &paper.four.solutions[0], "The best four fingers", "")?),
+        ("figure-5", grasp(paper, &paper.four.best, "The best four fingers", "")?),
     ])
 }
 
@@ -70,7 +70,7 @@ fn strips(paper: &Paper) -> Result<Figure, DrawError> {
     GraspPicture {
         regions: regions.collect(),
         fingers: fingers(solution),
-        center: Some(Mark { point: solution.center.to_array(), label: String::new() }),
+        center: Some(Mark { point: solution.center().to_array(), label: String::new() }),
         notes: vec![Mark { point: IN_S, label: "S".into() }],
         caption: vec![
             "shaded thrice: S, where the".into(),
@@ -100,8 +100,8 @@ fn grasp(
     GraspPicture {
         title: Some(title.into()),
         fingers: fingers(solution),
-        center: Some(Mark { point: solution.center.to_array(), label: String::new() }),
-        farthest_vertex: Some(farthest.to_array()),
+        center: Some(Mark { point: solution.center().to_array(), label: String::new() }),
+        farthest_corner: Some(farthest.to_array()),
         caption: vec![
             format!("σ_{{min}} = {:.4}", q.translational),
             format!("ρ_{{max}} = {:.4}", q.reach.distance),

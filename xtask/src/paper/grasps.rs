@@ -72,7 +72,7 @@ impl Paper {
             figure_1_principal,
             figure_1,
             triplets: [on(TRIPLETS[0])?, on(TRIPLETS[1])?],
-            three: three_fingers(&part, &options)?,
+            three: three_fingers(&part, &options, |_| {})?,
             four: four_fingers(&part, &FourFingers::default(), |_| {})?,
             part,
         })

@@ -58,7 +58,7 @@ pub(crate) fn rows(paper: &Paper) -> Vec<Row> {
     let circle = paper.part.outline().enclosing_circle();
     let center = paper.figure_1_principal.center();
     let [one, two] = &paper.triplets;
-    let best = &paper.four.solutions[0];
+    let best = &paper.four.best;
     let limit = match best.quality.limited_by {
         LimitedBy::Translation => "sigma_min",
         LimitedBy::Rotation => "mu_eq",
@@ -73,7 +73,7 @@ pub(crate) fn rows(paper: &Paper) -> Vec<Row> {
         Row::number("Example 5.1, I", "Q / f_T", "0.081", one.quality.equivalent),
         Row::number("Example 5.1, II", "sigma_min", "1.2764", two.quality.translational),
         Row::number("Example 5.1, II", "Q / f_T", "0.0955", two.quality.equivalent),
-        Row::words("Example 5.1", "best triplet", "AB, BC, DA", names(&paper.three.solutions[0])),
+        Row::words("Example 5.1", "best triplet", "AB, BC, DA", names(&paper.three.best)),
         Row::number("Example 5.2", "Q = sigma_min", "1.684", best.quality.value),
         Row::number("Example 5.2", "mu_eq", "1.865", best.quality.equivalent),
         Row::words("Example 5.2", "the smaller of the two", "sigma_min", limit.to_owned()),

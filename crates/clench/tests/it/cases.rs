@@ -87,7 +87,7 @@ fn contacts_and_stiffness_are_those_of_the_cases() {
             };
             let overlap = contact.overlap();
             let gradient = overlap.gradient(origin);
-            check(&overlap.normal().to_array(), "n");
+            check(&overlap.inward_normal().to_array(), "n");
             check(&overlap.point().to_array(), "b");
             check(&[overlap.depth()], "delta");
             check(&[contact.slope()], "fprime");
@@ -126,7 +126,7 @@ fn stability_and_preloads_are_those_of_the_cases() {
         };
         assert_eq!(case.grasp.stability(), expected, "{}", case.name);
 
-        let preloads = case.grasp.preloads();
+        let preloads = case.grasp.preloads().unwrap();
         let rank = case.wanted(&["preload", "rank"]).as_u64().unwrap();
         assert_eq!(preloads.rank as u64, rank, "{}", case.name);
         let count = case.grasp.contacts().len();

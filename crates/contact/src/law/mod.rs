@@ -13,7 +13,7 @@ use crate::ContactError;
 /// ```
 /// use clench_contact::Law;
 /// let law = Law::power(3.0, 2.0)?;
-/// assert_eq!((law.force(2.0), law.stiffness(2.0), law.energy(2.0)), (12.0, 12.0, 8.0));
+/// assert_eq!((law.force(2.0), law.slope(2.0), law.energy(2.0)), (12.0, 12.0, 8.0));
 /// assert_eq!(law.overlap(12.0), 2.0);
 /// # Ok::<(), clench_contact::ContactError>(())
 /// ```
@@ -45,7 +45,7 @@ impl Law {
         Power::new(coefficient, exponent).map(Self::Power)
     }
 
-    /// The force `f(delta)`.
+    /// The force `f(delta)` of an overlap that is not negative.
     #[must_use]
     pub fn force(&self, overlap: f64) -> f64 {
         match self {
@@ -56,10 +56,10 @@ impl Law {
 
     /// The slope `f'(delta)` (force / length).
     #[must_use]
-    pub fn stiffness(&self, overlap: f64) -> f64 {
+    pub fn slope(&self, overlap: f64) -> f64 {
         match self {
             Self::Linear(law) => law.stiffness(),
-            Self::Power(law) => law.stiffness(overlap),
+            Self::Power(law) => law.slope(overlap),
         }
     }
 
@@ -72,7 +72,7 @@ impl Law {
         }
     }
 
-    /// The overlap at which the force is `force`.
+    /// The overlap at which the force is `force`, which is not negative.
     #[must_use]
     pub fn overlap(&self, force: f64) -> f64 {
         match self {

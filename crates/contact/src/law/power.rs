@@ -39,7 +39,7 @@ impl Power {
         self.c * overlap.powf(self.p)
     }
 
-    pub(super) fn stiffness(&self, overlap: f64) -> f64 {
+    pub(super) fn slope(&self, overlap: f64) -> f64 {
         self.c * self.p * overlap.powf(self.p - 1.0)
     }
 

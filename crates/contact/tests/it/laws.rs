@@ -128,7 +128,7 @@ fn laws_invert_and_integrate() {
         let work = law.energy(delta) - law.energy(low);
         assert_close(work, sum * h / 3.0, 1e-8, law.energy(delta), "energy");
         let slope = (law.force(delta + 1e-6) - law.force(delta - 1e-6)) / 2e-6;
-        assert_close(law.stiffness(delta), slope, 1e-8, slope, "slope");
+        assert_close(law.slope(delta), slope, 1e-8, slope, "slope");
     }
 }
 
@@ -137,7 +137,7 @@ fn a_power_law_of_exponent_one_is_the_linear_law() {
     let (linear, power) = (Law::linear(3.0).unwrap(), Law::power(3.0, 1.0).unwrap());
     for delta in [0.0, 0.25, 4.0] {
         assert_eq!(linear.force(delta), power.force(delta));
-        assert_eq!(linear.stiffness(delta), power.stiffness(delta));
+        assert_eq!(linear.slope(delta), power.slope(delta));
         assert_eq!(linear.energy(delta), power.energy(delta));
     }
 }

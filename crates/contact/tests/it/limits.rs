@@ -66,7 +66,7 @@ fn the_length_of_the_given_normal_does_not_matter() {
     let law = Law::linear(1.0).unwrap();
     for length in [1e-200, 1.0, 1e200] {
         let found = contact([1.0, 2.0], [3.0 * length, 4.0 * length], 0.0, law, 0.1).unwrap();
-        assert_eq!(found.overlap().normal(), Vector::new([0.600_000_000_000_000_1, 0.8]));
+        assert_eq!(found.overlap().inward_normal(), Vector::new([0.600_000_000_000_000_1, 0.8]));
     }
 }
 

@@ -1,5 +1,7 @@
 //! A convex polygon of few vertices, cut by half-planes.
 
+use std::cmp::Ordering;
+
 use clench_screw::Vector;
 use clench_screw::planar::cross;
 
@@ -22,6 +24,28 @@ impl Convex {
         vertices[2] = center + u + v;
         vertices[3] = center - u + v;
         Self { vertices, count: 4 }
+    }
+
+    /// All sums of the center and parts between -1 and 1 of the generators.
+    pub(super) fn zonogon(center: Vector<2>, generators: [Vector<2>; 4]) -> Self {
+        // Pointing to the upper half-plane and in order of angle, they are the sides of the right
+        // half, from the lowest vertex up.
+        let mut sides =
+            generators.map(|g| if g[1] < 0.0 || (g[1] == 0.0 && g[0] < 0.0) { -g } else { g });
+        sides.sort_by(|a, b| 0.0.partial_cmp(&cross(*a, *b)).unwrap_or(Ordering::Equal));
+        let mut zonogon = Self { vertices: [Vector::ZERO; CAPACITY], count: 0 };
+        let mut vertex = sides.iter().fold(center, |sum, &g| sum - g);
+        for side in sides.into_iter().chain(sides.map(|g| -g)) {
+            zonogon.push(vertex);
+            vertex += side * 2.0;
+        }
+        zonogon
+    }
+
+    /// Its area.
+    pub(super) fn area(&self) -> f64 {
+        let origin = self.vertices().first().copied().unwrap_or(Vector::ZERO);
+        0.5 * self.edges().map(|(a, b)| cross(a - origin, b - origin)).sum::<f64>()
     }
 
     pub(super) fn vertices(&self) -> &[Vector<2>] {
@@ -56,6 +80,11 @@ impl Convex {
         (start, direction): (Vector<2>, Vector<2>),
         (mut from, mut to): (f64, f64),
     ) -> Option<(f64, f64)> {
+        // A polygon without area, a segment or a point, has no inner side that could bound a line
+        // along it: its extent does.
+        let along = |v: &Vector<2>| (*v - start).dot(direction) / direction.norm_squared();
+        from = from.max(self.vertices().iter().map(along).fold(f64::INFINITY, f64::min));
+        to = to.min(self.vertices().iter().map(along).fold(f64::NEG_INFINITY, f64::max));
         for (a, b) in self.edges() {
             let (inside, slope) = (cross(b - a, start - a), cross(b - a, direction));
             if slope > 0.0 {
@@ -66,7 +95,7 @@ impl Convex {
                 return None;
             }
         }
-        (self.count > 0 && from < to).then_some((from, to))
+        (from < to).then_some((from, to))
     }
 
     fn push(&mut self, vertex: Vector<2>) {
@@ -78,6 +107,7 @@ impl Convex {
 }
 
 #[cfg(test)]
+#[expect(clippy::float_cmp, reason = "small whole numbers are exact")]
 mod tests {
     use super::*;
 
@@ -102,5 +132,33 @@ mod tests {
         assert_eq!(square().clip(line(-3.0, 0.0), (0.0, 2.5)), Some((2.0, 2.5)));
         assert_eq!(square().clip(line(-3.0, 0.0), (0.0, 1.5)), None);
         assert_eq!(square().clip(line(-3.0, 2.0), all), None);
+    }
+
+    #[test]
+    fn a_line_along_a_polygon_without_area_is_clipped_to_its_extent() {
+        let right = Vector::new([1.0, 0.0]);
+        let segment = Convex::parallelogram(Vector::ZERO, right, Vector::ZERO);
+        let all = (f64::NEG_INFINITY, f64::INFINITY);
+        assert_eq!(segment.clip((Vector::new([-3.0, 0.0]), right), all), Some((2.0, 4.0)));
+        assert_eq!(segment.clip((Vector::new([-3.0, 1e-9]), right), all), None);
+        let point = Convex::parallelogram(right, Vector::ZERO, Vector::ZERO);
+        assert_eq!(point.clip((Vector::ZERO, right), all), None);
+    }
+
+    #[test]
+    fn a_zonogon_has_the_extent_and_area_of_its_generators() {
+        let generators = [[1.0, 0.0], [0.0, -2.0], [0.5, 0.5], [-1.0, 1.0]].map(Vector::new);
+        let zonogon = Convex::zonogon(Vector::new([3.0, 4.0]), generators);
+        assert_eq!(zonogon.vertices().len(), 8);
+        let x = zonogon.vertices().iter().map(|v| v[0]).fold(0.0, f64::max);
+        assert_eq!(x, 3.0 + 1.0 + 0.5 + 1.0);
+        // Four times the sum of |g_i x g_j|: 2 + 0.5 + 1 + 1 + 2 + 1.
+        assert_eq!(zonogon.area(), 4.0 * 7.5);
+    }
+
+    #[test]
+    fn the_area_of_a_cut_is_that_of_what_is_left() {
+        assert_eq!(square().area(), 4.0);
+        assert_eq!(square().cut(Vector::new([1.0, 0.0]), -0.5).area(), 1.0);
     }
 }

@@ -1,8 +1,8 @@
 //! The best combinations found so far.
 
-/// Two qualities within this of each other, relatively, are a tie: the search computes them to
-/// some hundred units of rounding.
-const TIE: f64 = 1e-12;
+/// Two qualities within this of each other, relatively, are a tie: a quality is computed in some
+/// hundred operations, and each loses no more than the part's extent over a finger's lever.
+const TIE: f64 = 4096.0 * f64::EPSILON;
 
 /// The best placement on one combination of `K` edges, at the `place` of its kind.
 #[derive(Clone, Copy, Debug)]
@@ -57,7 +57,12 @@ impl<const K: usize, P> Leaders<K, P> {
     pub(super) fn finish(mut self) -> (Vec<Candidate<K, P>>, usize) {
         let tied = self.best().map_or(0.0, below);
         let ties = self.candidates.iter().take_while(|c| c.quality() > tied).count();
-        self.candidates[..ties].sort_by(|a, b| b.equivalent.total_cmp(&a.equivalent));
+        let tied = &mut self.candidates[..ties];
+        tied.sort_by(|a, b| b.equivalent.total_cmp(&a.equivalent));
+        // Of those that tie in this as well, the lower edge numbers.
+        let largest = tied.first().map_or(0.0, |c| below(c.equivalent));
+        let twice = tied.iter().take_while(|c| c.equivalent > largest).count();
+        tied[..twice].sort_by_key(|c| c.edges);
         self.candidates.truncate(self.top);
         (self.candidates, ties.saturating_sub(1))
     }

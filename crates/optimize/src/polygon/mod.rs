@@ -25,7 +25,7 @@
 //!    `|z_0 + M d|^2 / |d - v|^2` compares two forms of rank 2 on the projective plane. Their
 //!    pencil has the eigenvalues 0 (the minimum), infinity (`d = v`, which is never its own
 //!    farthest corner) and one between, a saddle. So there is no maximum inside.
-//! 3. The maximum lies on a line: an edge of the face, or a boundary between two cells of the
+//! 3. The maximum lies on a line: an edge of the face, or a border between two regions of the
 //!    farthest-corner partition. On a line the ratio of two quadratics is stationary where a
 //!    quadratic vanishes.
 //!
@@ -36,14 +36,17 @@ mod solution;
 
 mod three;
 
-mod combinations;
-mod convex;
 mod four;
-mod leaders;
 mod quadruple;
 mod ratio;
+
+mod search;
+
+mod convex;
+mod edge_sets;
+mod leaders;
 mod scene;
 
 pub use four::{FourFingers, four_fingers, four_fingers_on};
-pub use part::Part;
+pub use part::{LARGEST_SPREAD, Part};
 pub use three::{ThreeFingers, three_fingers, three_fingers_on};

@@ -4,6 +4,12 @@ use clench_shape::Polygon;
 
 use crate::OptimizeError;
 
+/// The largest edge stiffness has to be below this many times the smallest.
+///
+/// `sigma_min` of a combination is a difference of sums of stiffnesses, so it loses as many digits
+/// as their ratio has; with this one, a third of the digits of a double remain.
+pub const LARGEST_SPREAD: f64 = 1e10;
+
 /// An outline with the contact stiffness of each of its edges.
 #[derive(Clone, Debug)]
 pub struct Part {
@@ -16,17 +22,24 @@ impl Part {
     ///
     /// # Errors
     ///
-    /// [`OptimizeError::StiffnessCount`], [`OptimizeError::Stiffness`].
+    /// [`OptimizeError::StiffnessCount`], [`OptimizeError::Stiffness`],
+    /// [`OptimizeError::StiffnessSpread`].
     pub fn new(outline: Polygon, edge_stiffness: Vec<f64>) -> Result<Self, OptimizeError> {
         let (found, edges) = (edge_stiffness.len(), outline.edges().len());
         if found != edges {
             return Err(OptimizeError::StiffnessCount { found, edges });
         }
         let fault = |k: &f64| !(*k > 0.0 && k.is_finite());
-        match edge_stiffness.iter().position(fault) {
-            Some(edge) => Err(OptimizeError::Stiffness { edge, value: edge_stiffness[edge] }),
-            None => Ok(Self { outline, edge_stiffness }),
+        if let Some(edge) = edge_stiffness.iter().position(fault) {
+            return Err(OptimizeError::Stiffness { edge, value: edge_stiffness[edge] });
         }
+        let smallest = edge_stiffness.iter().copied().fold(f64::INFINITY, f64::min);
+        let largest = edge_stiffness.iter().copied().fold(0.0, f64::max);
+        if largest / LARGEST_SPREAD >= smallest {
+            let limit = LARGEST_SPREAD;
+            return Err(OptimizeError::StiffnessSpread { smallest, largest, limit });
+        }
+        Ok(Self { outline, edge_stiffness })
     }
 
     /// The part with the same stiffness (force / length) on each edge.

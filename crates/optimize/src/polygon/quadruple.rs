@@ -1,15 +1,19 @@
 //! The best placement of four fingers on four given edges, by finite enumeration.
 
 use clench_screw::planar::{cross, quarter_turn};
-use clench_screw::{Mat, Vector};
+use clench_screw::{Cholesky, Mat, Vector};
 
 use super::convex::Convex;
 use super::ratio::stationary;
-use super::scene::{Ridge, Scene, Support};
+use super::scene::{Border, Scene, Support};
 
-/// Two directions in the plane of `z` are parallel when the sine of their angle is below this
-/// many units of rounding; `Z` is orthonormal to a few of them.
-const PARALLEL: f64 = 64.0 * f64::EPSILON;
+/// Rows of `Z` are rounded by a few units of 1, whatever their own size, so a product of two of
+/// them is known to this much of the larger one only.
+const ROW_ROUNDING: f64 = 64.0 * f64::EPSILON;
+
+/// What placements and the cone have in common has an inside when its area exceeds this part of
+/// the square of the placements' extent; touching from outside, it has some roundings.
+const TOUCHING: f64 = 256.0 * f64::EPSILON;
 
 /// The window of possible centers of compliance is drawn wider by this factor, so that its own
 /// sides never touch what is feasible.
@@ -21,6 +25,15 @@ pub(super) struct Peak {
     pub(super) equivalent: f64,
     pub(super) d: Vector<2>,
     pub(super) z: Vector<2>,
+}
+
+/// The fingers of a placement.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Spot {
+    /// The scaled moments `s`, within their limits.
+    pub(super) moments: [f64; 4],
+    /// The shares of the balancing contact forces.
+    pub(super) shares: [f64; 4],
 }
 
 /// `low <= a . d + z . z_coordinates <= high`.
@@ -39,6 +52,8 @@ pub(super) struct Quadruple<'a> {
     supports: [&'a Support; 4],
     /// Rows of `Z`.
     null: [Vector<2>; 4],
+    /// How the center of compliance moves with each scaled moment: `J (N N^T)^-1 N`.
+    per_moment: [Vector<2>; 4],
     /// Normals of the two sides of the cone in which all contact forces push.
     cone: [Vector<2>; 2],
     /// Whether two fingers share an edge; their exchange turns one cone into the other.
@@ -55,17 +70,26 @@ impl<'a> Quadruple<'a> {
         let null = null_space(&scaled);
         let cone = pushing_cone(&null)?;
         let gram = scaled.iter().fold(Mat::<2, 2>::ZERO, |sum, &n| sum + Mat::outer(n, n));
-        let inverse = inverse(&gram)?;
+        let gram = Cholesky::new(&gram).ok()?;
         // d = J (N N^T)^-1 N s is linear in s, so its range is a box about its middle.
         let (mut window_center, mut window_half) = (Vector::ZERO, Vector::ZERO);
-        for (support, n) in supports.iter().zip(scaled) {
-            let per_moment = -quarter_turn(inverse * n);
+        let per_moment = scaled.map(|n| -quarter_turn(gram.solve(n)));
+        for (support, per_moment) in supports.iter().zip(per_moment) {
             window_center += per_moment * (0.5 * (support.low + support.high));
             let half = 0.5 * (support.high - support.low) * WINDOW_MARGIN;
             window_half += Vector::from_fn(|i| per_moment[i].abs() * half);
         }
         let exchangeable = edges.windows(2).any(|pair| pair[0] == pair[1]);
-        Some(Self { scene, supports, null, cone, exchangeable, window_center, window_half })
+        Some(Self {
+            scene,
+            supports,
+            null,
+            per_moment,
+            cone,
+            exchangeable,
+            window_center,
+            window_half,
+        })
     }
 
     /// An upper bound of `mu_eq` over all placements on these edges.
@@ -91,7 +115,7 @@ impl<'a> Quadruple<'a> {
     pub(super) fn peak(&self, floor: f64) -> Option<Peak> {
         let mut best = Peak { equivalent: floor, d: Vector::ZERO, z: Vector::ZERO };
         let cones: &[f64] = if self.exchangeable { &[1.0] } else { &[1.0, -1.0] };
-        for &sign in cones {
+        for &sign in cones.iter().filter(|&&sign| self.enters_cone(sign)) {
             let rows = self.rows(sign);
             for p in 0..5 {
                 for q in p + 1..6 {
@@ -102,21 +126,60 @@ impl<'a> Quadruple<'a> {
         (best.equivalent > floor).then_some(best)
     }
 
-    /// The scaled moments `s` of a placement, within their limits.
-    pub(super) fn moments(&self, peak: &Peak) -> [f64; 4] {
+    /// Whether some placement has all contact forces positive, or negative for the `sign` -1.
+    ///
+    /// A placement with a force of 0 is a limit of such placements only if there are any: the
+    /// values of `z = Z^T s`, a zonogon, must share more than its boundary with the cone.
+    fn enters_cone(&self, sign: f64) -> bool {
+        let mut middle = Vector::ZERO;
+        for (z, s) in self.null.iter().zip(self.supports) {
+            middle += *z * (0.5 * (s.low + s.high));
+        }
+        let half = |i: usize| 0.5 * (self.supports[i].high - self.supports[i].low);
+        let generators = std::array::from_fn(|i| self.null[i] * half(i));
+        let extent: f64 = generators.iter().map(|g: &Vector<2>| g.norm()).sum();
+        let common = Convex::zonogon(middle, generators)
+            .cut(self.cone[0] * -sign, 0.0)
+            .cut(self.cone[1] * -sign, 0.0);
+        common.area() > TOUCHING * extent * extent
+    }
+
+    /// Raises `best` to the placement at `(d, z)`, if that is larger once it is within its limits.
+    ///
+    /// What a face promises is rounded, and much so where rows are nearly parallel; only what a
+    /// placement keeps counts.
+    fn accept(&self, d: Vector<2>, z: Vector<2>, best: &mut Peak) {
+        let s = self.moments(d, z);
+        let mut placed = Peak { equivalent: 0.0, d: Vector::ZERO, z: Vector::ZERO };
+        for i in 0..4 {
+            placed.z += self.null[i] * s[i];
+            placed.d += self.per_moment[i] * s[i];
+        }
+        let slack = -ROW_ROUNDING * s.iter().fold(0.0, |m: f64, s| m.max(s.abs()));
+        let pushes = |sign: f64| self.cone.iter().all(|c| sign * c.dot(placed.z) >= slack);
+        let reach = (placed.d - self.scene.farthest(placed.d)).norm_squared();
+        placed.equivalent = placed.z.norm_squared() / reach;
+        if placed.equivalent > best.equivalent && (pushes(1.0) || pushes(-1.0)) {
+            *best = placed;
+        }
+    }
+
+    /// The scaled moments at `(d, z)`, within their limits.
+    fn moments(&self, d: Vector<2>, z: Vector<2>) -> [f64; 4] {
         std::array::from_fn(|i| {
-            let s = self.supports[i].arm.dot(peak.d) + self.null[i].dot(peak.z);
+            let s = self.supports[i].arm.dot(d) + self.null[i].dot(z);
             s.clamp(self.supports[i].low, self.supports[i].high)
         })
     }
 
-    /// The shares of the balancing contact forces.
-    pub(super) fn shares(&self, peak: &Peak) -> [f64; 4] {
+    /// Where the fingers of a placement are, and how they share the preload.
+    pub(super) fn spot(&self, peak: &Peak) -> Spot {
+        let moments = self.moments(peak.d, peak.z);
         let turned = -quarter_turn(peak.z);
         let forces: [f64; 4] =
             std::array::from_fn(|i| self.null[i].dot(turned) * self.supports[i].weight);
         let total: f64 = forces.iter().sum();
-        forces.map(|f| (f / total).max(0.0))
+        Spot { moments, shares: forces.map(|f| (f / total).max(0.0)) }
     }
 
     /// The four limits, and the two sides of the cone (`sign` 1) or of its opposite.
@@ -135,9 +198,9 @@ impl<'a> Quadruple<'a> {
     fn climb_faces(&self, rows: &[Row; 6], (p, q): (usize, usize), best: &mut Peak) {
         let (first, second) = (&rows[p], &rows[q]);
         let determinant = cross(first.z, second.z);
-        let size = (first.z.norm_squared() * second.z.norm_squared()).sqrt();
+        let size = first.z.norm_squared().max(second.z.norm_squared()).sqrt();
         // Two sides of the cone meet in z = 0 only; parallel rows have other partners.
-        if p >= 4 || determinant.abs() <= PARALLEL * size {
+        if p >= 4 || determinant.abs() <= ROW_ROUNDING * size {
             return;
         }
         // z = solve (c - A d)
@@ -176,7 +239,7 @@ impl<'a> Quadruple<'a> {
             }
         }
         if farthest_z > best.equivalent * self.scene.radius_squared {
-            self.climb_ridges(face, &region, best);
+            self.climb_borders(face, &region, best);
         }
     }
 
@@ -218,21 +281,46 @@ impl<'a> Quadruple<'a> {
         let center = self.scene.center;
         for stretch in outline.farthest_along(a + center, b + center) {
             let corner = outline.corners()[stretch.corner] - center;
-            face.climb_line((a, b - a), (stretch.from, stretch.to), corner, best);
+            self.climb_line(face, (a, b - a), (stretch.from, stretch.to), corner, best);
         }
     }
 
-    fn climb_ridges(&self, face: &Face, region: &Convex, best: &mut Peak) {
+    fn climb_borders(&self, face: &Face, region: &Convex, best: &mut Peak) {
         let farthest = self.scene.farthest(region.vertices()[0]);
-        // A cell is convex: a region with all its vertices in one cell meets no ridge.
+        // The points with one farthest corner are convex: then the face meets no border.
         if region.vertices().iter().all(|&d| self.scene.farthest(d) == farthest) {
             return;
         }
-        for Ridge { corner, line, stretch } in &self.scene.ridges {
+        for Border { corner, line, stretch } in &self.scene.borders {
             if let Some((from, to)) = region.clip(*line, *stretch) {
                 let (start, direction) = *line;
                 let clipped = (start + direction * from, direction * (to - from));
-                face.climb_line(clipped, (0.0, 1.0), *corner, best);
+                self.climb_line(face, clipped, (0.0, 1.0), *corner, best);
+            }
+        }
+    }
+
+    /// Raises `best` to the largest ratio on the stretch `[from, to]` of the line
+    /// `start + t step`, all of whose points have `corner` as their farthest.
+    fn climb_line(
+        &self,
+        face: &Face,
+        (start, step): (Vector<2>, Vector<2>),
+        (from, to): (f64, f64),
+        corner: Vector<2>,
+        best: &mut Peak,
+    ) {
+        let top = (face.at(start), face.slope * step);
+        let bottom = (start - corner, step);
+        let [t0, t1] = stationary(top, bottom);
+        for t in [from, to, t0, t1] {
+            if t >= from && t <= to {
+                let z = top.0 + top.1 * t;
+                let reach = bottom.0 + bottom.1 * t;
+                let equivalent = z.norm_squared() / reach.norm_squared();
+                if equivalent > best.equivalent {
+                    self.accept(start + step * t, z, best);
+                }
             }
         }
     }
@@ -248,30 +336,6 @@ struct Face {
 impl Face {
     fn at(&self, d: Vector<2>) -> Vector<2> {
         self.base + self.slope * d
-    }
-
-    /// Raises `best` to the largest ratio on the stretch `[from, to]` of the line
-    /// `start + t step`, all of whose points have `corner` as their farthest.
-    fn climb_line(
-        &self,
-        (start, step): (Vector<2>, Vector<2>),
-        (from, to): (f64, f64),
-        corner: Vector<2>,
-        best: &mut Peak,
-    ) {
-        let top = (self.at(start), self.slope * step);
-        let bottom = (start - corner, step);
-        let [t0, t1] = stationary(top, bottom);
-        for t in [from, to, t0, t1] {
-            if t >= from && t <= to {
-                let z = top.0 + top.1 * t;
-                let reach = bottom.0 + bottom.1 * t;
-                let equivalent = z.norm_squared() / reach.norm_squared();
-                if equivalent > best.equivalent {
-                    *best = Peak { equivalent, d: start + step * t, z };
-                }
-            }
-        }
     }
 }
 
@@ -314,25 +378,18 @@ fn orthogonal_unit(v: Vector<4>, basis: &[Vector<4>]) -> Vector<4> {
 
 /// The normals of the two sides of the cone of `z` in which all `Z_i . (J z)` are positive.
 fn pushing_cone(null: &[Vector<2>; 4]) -> Option<[Vector<2>; 2]> {
-    if null.iter().any(|z| z.norm_squared() <= PARALLEL * PARALLEL) {
+    if null.iter().any(|z| z.norm_squared() <= ROW_ROUNDING * ROW_ROUNDING) {
         return None;
     }
     // All Z_i lie between the extreme two, which are less than half a turn apart.
     let extreme =
         |turn: f64| null.iter().copied().find(|&e| null.iter().all(|&z| turn * cross(e, z) >= 0.0));
     let (right, left) = (extreme(1.0)?, extreme(-1.0)?);
-    let size = (right.norm_squared() * left.norm_squared()).sqrt();
-    if cross(right, left) <= PARALLEL * size {
+    if cross(right, left) <= ROW_ROUNDING * right.norm().max(left.norm()) {
         return None;
     }
     // Z . (J z) = (J^T Z) . z, and J^T is the quarter turn.
     Some([quarter_turn(right), quarter_turn(left)])
-}
-
-fn inverse(a: &Mat<2, 2>) -> Option<Mat<2, 2>> {
-    let determinant = a[0][0] * a[1][1] - a[0][1] * a[1][0];
-    (determinant > PARALLEL * a[0][0] * a[1][1])
-        .then(|| Mat::new([[a[1][1], -a[0][1]], [-a[1][0], a[0][0]]]) * determinant.recip())
 }
 
 fn distance_squared_to_origin(a: Vector<2>, b: Vector<2>) -> f64 {

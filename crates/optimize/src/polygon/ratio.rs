@@ -10,6 +10,12 @@ pub(super) fn stationary(
     (p, u): (Vector<2>, Vector<2>),
     (q, w): (Vector<2>, Vector<2>),
 ) -> [f64; 2] {
+    // Only the directions matter, so each line is brought to size 1: no product over- or underflows.
+    let unit = |p: Vector<2>, u: Vector<2>| {
+        let size = p.max_abs().max(u.max_abs()).recip();
+        (p * size, u * size)
+    };
+    let ((p, u), (q, w)) = (unit(p, u), unit(q, w));
     let (a0, a1, a2) = (p.norm_squared(), 2.0 * p.dot(u), u.norm_squared());
     let (b0, b1, b2) = (q.norm_squared(), 2.0 * q.dot(w), w.norm_squared());
     quadratic_roots(a2 * b1 - a1 * b2, 2.0 * (a2 * b0 - a0 * b2), a1 * b0 - a0 * b1)

@@ -15,7 +15,7 @@ const AT_END: f64 = 64.0 * f64::EPSILON;
 pub(super) struct Support {
     /// The unit normal into the part.
     pub(super) normal: Vector<2>,
-    /// `k` (force / length).
+    /// `k`, in the scene's unit of stiffness.
     pub(super) stiffness: f64,
     /// `sqrt(k)`.
     pub(super) weight: f64,
@@ -36,14 +36,17 @@ pub(super) struct Scene<'a> {
     pub(super) center: Vector<2>,
     /// The square of its radius.
     pub(super) radius_squared: f64,
+    /// The power of four (force / length) that stiffnesses are divided by, so that the largest is
+    /// near 1: exact, and no product of stiffnesses over- or underflows.
+    pub(super) stiffness_unit: f64,
     pub(super) supports: Vec<Support>,
     /// Where two corners are equally far.
-    pub(super) ridges: Vec<Ridge>,
+    pub(super) borders: Vec<Border>,
 }
 
-/// A boundary between two cells of the farthest-corner partition, relative to the center.
+/// A border between two regions of the farthest-corner partition, relative to the center.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Ridge {
+pub(super) struct Border {
     /// One of its two corners.
     pub(super) corner: Vector<2>,
     /// A point and the unit direction of its line.
@@ -57,8 +60,9 @@ impl<'a> Scene<'a> {
         let outline = part.outline();
         let circle = outline.enclosing_circle();
         let center = circle.center;
+        let stiffness_unit = power_of_four(part.edge_stiffness());
         let edges = outline.edges().iter().zip(part.edge_stiffness());
-        let ridges = outline.partition().boundaries().iter().map(|b| Ridge {
+        let borders = outline.partition().borders().iter().map(|b| Border {
             corner: outline.corners()[b.corners.0] - center,
             line: (b.middle - center, b.direction),
             stretch: (b.from, b.to),
@@ -67,8 +71,11 @@ impl<'a> Scene<'a> {
             part,
             center,
             radius_squared: circle.radius * circle.radius,
-            supports: edges.map(|(edge, &k)| Support::new(edge, k, center)).collect(),
-            ridges: ridges.collect(),
+            stiffness_unit,
+            supports: edges
+                .map(|(edge, &k)| Support::new(edge, k / stiffness_unit, center))
+                .collect(),
+            borders: borders.collect(),
         }
     }
 
@@ -100,13 +107,30 @@ impl<'a> Scene<'a> {
         edge.start() + (edge.end() - edge.start()) * along
     }
 
-    /// `sigma_min = (sum k - |sum k exp(2 i phi)|) / 2` of fingers on the given edges.
+    /// `sigma_min = 2 det / (sum k + |sum k exp(2 i phi)|)` of fingers on the given edges, with
+    /// `det K_11 = sum over pairs of k_i k_j (n_i x n_j)^2`, so that nothing cancels.
     pub(super) fn sigma_min(&self, edges: &[usize]) -> f64 {
-        let supports = edges.iter().map(|&e| &self.supports[e]);
-        let (sum, turn) = supports
-            .fold((0.0, Vector::ZERO), |(sum, turn), s| (sum + s.stiffness, turn + s.double_angle));
-        0.5 * (sum - turn.norm())
+        let (mut sum, mut turn, mut determinant) = (0.0, Vector::ZERO, 0.0);
+        for (i, &edge) in edges.iter().enumerate() {
+            let one = &self.supports[edge];
+            sum += one.stiffness;
+            turn += one.double_angle;
+            for &other in &edges[..i] {
+                let other = &self.supports[other];
+                let sine = cross(one.normal, other.normal);
+                determinant += one.stiffness * other.stiffness * sine * sine;
+            }
+        }
+        2.0 * determinant / (sum + turn.norm())
     }
+}
+
+/// The largest power of four that is not above the largest stiffness, or one of its neighbors.
+fn power_of_four(stiffness: &[f64]) -> f64 {
+    let largest = stiffness.iter().copied().fold(0.0, f64::max);
+    #[expect(clippy::cast_possible_truncation, reason = "an exponent of a double is small")]
+    let exponent = (0.5 * largest.log2()).floor() as i32;
+    4.0_f64.powi(exponent)
 }
 
 impl Support {

@@ -4,22 +4,22 @@ use clench_metrics::{MetricsError, Principal, Quality};
 use clench_screw::{Stiffness, Vector, Wrench};
 
 use super::Part;
-use crate::{Placement, Solution};
+use crate::{OptimizeError, Placement, Solution};
 
 impl Solution {
     /// The four-finger solution by `placements`, with stiffness to first order [LBR, eq. 18].
     pub(super) fn of_first_order(
         part: &Part,
         placements: Vec<Placement>,
-    ) -> Result<Self, MetricsError> {
+    ) -> Result<Self, OptimizeError> {
         let about = |origin: Vector<2>| {
             placements.iter().fold(Stiffness::ZERO, |sum, p| {
                 let wrench = Wrench::<2, 1>::of_force_at(p.inward_normal, p.point - origin);
                 sum + Stiffness::outer(&wrench) * part.edge_stiffness()[p.edge]
             })
         };
-        let principal = Principal::near(part.outline().enclosing_circle().center, about)?;
-        Ok(Self::of(part, placements, &principal))
+        let principal = Principal::near(part.outline().enclosing_circle().center, about);
+        Self::of(part, placements, principal)
     }
 
     /// The three-finger solution by `placements` whose normals meet in `center`, with the
@@ -29,18 +29,30 @@ impl Solution {
         placements: Vec<Placement>,
         center: Vector<2>,
         mu: f64,
-    ) -> Result<Self, MetricsError> {
+    ) -> Result<Self, OptimizeError> {
         let mut stiffness = Stiffness::ZERO;
         for p in &placements {
             let wrench = Wrench { force: p.inward_normal, torque: Vector::ZERO };
             stiffness += Stiffness::outer(&wrench) * part.edge_stiffness()[p.edge];
         }
         stiffness.rotational[0][0] = mu;
-        Ok(Self::of(part, placements, &Principal::of(center, &stiffness)?))
+        Self::of(part, placements, Principal::of(center, &stiffness))
     }
 
-    fn of(part: &Part, placements: Vec<Placement>, principal: &Principal<2, 1>) -> Self {
-        let quality = Quality::of(principal, part.outline());
-        Self { placements, quality, center: principal.center() }
+    fn of(
+        part: &Part,
+        placements: Vec<Placement>,
+        principal: Result<Principal<2, 1>, MetricsError>,
+    ) -> Result<Self, OptimizeError> {
+        match principal {
+            Ok(principal) => {
+                let quality = Quality::of(&principal, part.outline());
+                Ok(Self { placements, quality, principal })
+            }
+            Err(source) => {
+                let edges = placements.iter().map(|p| p.edge).collect();
+                Err(OptimizeError::OutOfRange { edges, source })
+            }
+        }
     }
 }

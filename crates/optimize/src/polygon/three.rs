@@ -5,13 +5,14 @@ use std::num::NonZeroUsize;
 use clench_screw::Vector;
 use clench_screw::planar::cross;
 use clench_shape::Edge;
-use rayon::prelude::*;
 
 use super::Part;
 use super::convex::Convex;
-use super::leaders::{Candidate, Leaders};
+use super::edge_sets::{choose, triplet};
+use super::leaders::Candidate;
 use super::scene::Scene;
-use crate::{Certificate, Combinations, Ending, OptimizeError, Outcome, Placement, Solution};
+use super::search::{Verdict, search};
+use crate::{OptimizeError, Outcome, Placement, Progress, Solution};
 
 /// Two normals are parallel, and so cannot be two of three that balance, when the sine of their
 /// angle is below this many units of rounding.
@@ -49,7 +50,7 @@ impl ThreeFingers {
 
 /// The best placements of three frictionless fingers on the edges of `part`.
 ///
-/// Maximises `Q = min(sigma_min, mu_eq)` [LBR, eq. 14] over all triplets of edges and all
+/// Maximizes `Q = min(sigma_min, mu_eq)` [LBR, eq. 14] over all triplets of edges and all
 /// placements whose normals meet in a point. On a triplet, `sigma_min` and
 ///
 /// `mu = f_T (sum of share_i dist_i + r)`
@@ -57,37 +58,31 @@ impl ThreeFingers {
 /// are constant (`dist_i`: distance of the meeting point from edge `i`, the sum being the radius
 /// of the triangle's inscribed circle), so the best meeting point is the feasible one with the
 /// least reach. This is LBR's proposition 5.1 with the radius `r` of the fingers; the overlaps,
-/// which lower `mu` by the sum of `f_i delta_i`, are neglected as there.
+/// which lower `mu` by the sum of `f_i delta_i`, are neglected as there. `watch` is called after
+/// each round; threads and determinism are as for [`four_fingers`](super::four_fingers).
 ///
 /// # Errors
 ///
 /// [`OptimizeError::TotalPreload`], [`OptimizeError::FingerRadius`];
-/// [`OptimizeError::NoPlacement`] when three frictionless fingers cannot hold the part.
-pub fn three_fingers(part: &Part, options: &ThreeFingers) -> Result<Outcome, OptimizeError> {
+/// [`OptimizeError::NormalsNeverBalance`] or [`OptimizeError::TorquesNeverBalance`] when three
+/// frictionless fingers cannot hold the part; [`OptimizeError::TooManyEdges`];
+/// [`OptimizeError::OutOfRange`] when the numbers of the best placement overflow.
+pub fn three_fingers(
+    part: &Part,
+    options: &ThreeFingers,
+    watch: impl FnMut(&Progress),
+) -> Result<Outcome, OptimizeError> {
     options.checked()?;
     let scene = Scene::new(part);
-    let count = scene.supports.len();
-    let triplets = (0..count).into_par_iter().flat_map_iter(|i| {
-        (i + 1..count).flat_map(move |j| (j + 1..count).map(move |k| [i, j, k]))
-    });
-    let spanning: Vec<_> = triplets.filter_map(|edges| Triplet::new(&scene, edges)).collect();
-    let candidates = spanning.par_iter().filter_map(|t| t.best(options)).collect();
-    let mut leaders = Leaders::new(options.top.get());
-    leaders.merge(candidates);
-    let (best, ties) = leaders.finish();
-    let solutions: Vec<_> = best.iter().filter_map(|c| solution(&scene, c, options)).collect();
-    let n = count as u64;
-    let (total, spanning) = (n * (n - 1) * (n - 2) / 6, spanning.len() as u64);
-    let Some(first) = solutions.first() else {
-        return Err(OptimizeError::NoPlacement { fingers: 3, combinations: total, spanning });
-    };
-    let upper_bound = first.quality.value;
-    Ok(Outcome {
-        ties,
-        certificate: Certificate { ending: Ending::Proved, upper_bound, gap: 0.0 },
-        combinations: Combinations { total, examined: spanning },
-        solutions,
-    })
+    let edges = scene.supports.len();
+    let total = choose(edges as u64, 3).ok_or(OptimizeError::TooManyEdges { edges })?;
+    search(
+        total,
+        options.top,
+        |number, floor| examine(&scene, triplet(number), options, floor),
+        |candidate| solution(&scene, candidate),
+        watch,
+    )
 }
 
 /// The best placement on the given edges, in any order.
@@ -105,8 +100,43 @@ pub fn three_fingers_on(
     options.checked()?;
     let edges = part.checked(edges)?;
     let scene = Scene::new(part);
-    let best = Triplet::new(&scene, edges).and_then(|triplet| triplet.best(options));
-    Ok(best.and_then(|candidate| solution(&scene, &candidate, options)))
+    match examine(&scene, edges, options, 0.0) {
+        Verdict::Examined(Some(candidate)) => solution(&scene, &candidate).map(Some),
+        _ => Ok(None),
+    }
+}
+
+/// The best placement on `edges`, if its quality can exceed `floor`.
+fn examine(
+    scene: &Scene,
+    edges: [usize; 3],
+    options: &ThreeFingers,
+    floor: f64,
+) -> Verdict<3, Meeting> {
+    let sigma_min = scene.sigma_min(&edges) * scene.stiffness_unit;
+    if sigma_min <= floor {
+        return Verdict::Skipped;
+    }
+    let Some(triplet) = Triplet::new(scene, edges) else { return Verdict::Skipped };
+    let mu = triplet.rotational_stiffness(options);
+    // No point has a smaller reach than the geometric center.
+    if mu <= floor * scene.radius_squared {
+        return Verdict::Excluded;
+    }
+    Verdict::Examined(triplet.nearest_meeting_point().map(|(center, reach_squared)| {
+        let place = Meeting { center, mu, shares: triplet.shares };
+        Candidate { edges, sigma_min, equivalent: mu / reach_squared, place }
+    }))
+}
+
+/// Where three normals meet.
+#[derive(Clone, Copy, Debug)]
+struct Meeting {
+    center: Vector<2>,
+    /// `mu` about it.
+    mu: f64,
+    /// The balancing contact forces, with sum 1.
+    shares: [f64; 3],
 }
 
 /// Three edges whose inward normals positively span the plane.
@@ -139,20 +169,6 @@ impl<'a> Triplet<'a> {
         };
         let inscribed: f64 = (0..3).map(|i| self.shares[i] * distance(i)).sum();
         options.total_preload * (inscribed + options.finger_radius)
-    }
-
-    fn best(&self, options: &ThreeFingers) -> Option<Candidate<3, Vector<2>>> {
-        let mu = self.rotational_stiffness(options);
-        if mu <= 0.0 {
-            return None;
-        }
-        let (place, reach_squared) = self.nearest_meeting_point()?;
-        Some(Candidate {
-            edges: self.edges,
-            sigma_min: self.scene.sigma_min(&self.edges),
-            equivalent: mu / reach_squared,
-            place,
-        })
     }
 
     /// The point of least reach in which the normals on these edges can meet, and the square of
@@ -230,23 +246,13 @@ impl<'a> Triplet<'a> {
     }
 }
 
-fn solution(
-    scene: &Scene,
-    candidate: &Candidate<3, Vector<2>>,
-    options: &ThreeFingers,
-) -> Option<Solution> {
-    let triplet = Triplet::new(scene, candidate.edges)?;
-    let center = candidate.place;
-    let placements = (0..3).map(|i| {
-        let edge = triplet.edge(i);
+fn solution(scene: &Scene, candidate: &Candidate<3, Meeting>) -> Result<Solution, OptimizeError> {
+    let Meeting { center, mu, shares } = candidate.place;
+    let placements = candidate.edges.iter().zip(shares).map(|(&number, share)| {
+        let edge = &scene.part.outline().edges()[number];
         let along = edge.direction().dot(center - edge.start()).clamp(0.0, edge.length());
-        Placement {
-            edge: candidate.edges[i],
-            point: edge.point_at(along),
-            inward_normal: edge.inward_normal(),
-            share: triplet.shares[i],
-        }
+        let (point, inward_normal) = (edge.point_at(along), edge.inward_normal());
+        Placement { edge: number, point, inward_normal, share }
     });
-    let mu = triplet.rotational_stiffness(options);
-    Solution::of_concurrent(scene.part, placements.collect(), center, mu).ok()
+    Solution::of_concurrent(scene.part, placements.collect(), center, mu)
 }

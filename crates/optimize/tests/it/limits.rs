@@ -1,9 +1,9 @@
 //! Questions without an answer, and parts at the edge of what has one.
 
-use clench_metrics::LimitedBy;
 use clench_optimize::OptimizeError;
 use clench_optimize::polygon::{
-    FourFingers, Part, ThreeFingers, four_fingers, four_fingers_on, three_fingers, three_fingers_on,
+    FourFingers, LARGEST_SPREAD, Part, ThreeFingers, four_fingers, four_fingers_on, three_fingers,
+    three_fingers_on,
 };
 use clench_shape::Polygon;
 
@@ -29,11 +29,12 @@ fn each_edge_needs_one_positive_stiffness() {
 #[test]
 fn three_fingers_need_a_preload_and_a_radius() {
     for value in [0.0, -1.0, f64::INFINITY] {
-        let fault = three_fingers(&rectangle(), &ThreeFingers::with_preload(value)).unwrap_err();
+        let fault =
+            three_fingers(&rectangle(), &ThreeFingers::with_preload(value), |_| {}).unwrap_err();
         assert_eq!(fault, OptimizeError::TotalPreload { value });
     }
     let options = ThreeFingers { finger_radius: -0.5, ..ThreeFingers::with_preload(1.0) };
-    let fault = three_fingers(&rectangle(), &options).unwrap_err();
+    let fault = three_fingers(&rectangle(), &options, |_| {}).unwrap_err();
     assert_eq!(fault, OptimizeError::FingerRadius { value: -0.5 });
 }
 
@@ -48,9 +49,45 @@ fn edges_that_do_not_exist_are_refused() {
 
 #[test]
 fn three_fingers_cannot_hold_a_rectangle() {
-    let fault = three_fingers(&rectangle(), &ThreeFingers::with_preload(1.0)).unwrap_err();
-    assert_eq!(fault, OptimizeError::NoPlacement { fingers: 3, combinations: 4, spanning: 0 });
+    let fault = three_fingers(&rectangle(), &ThreeFingers::with_preload(1.0), |_| {}).unwrap_err();
+    assert_eq!(fault, OptimizeError::NormalsNeverBalance { fingers: 3, combinations: 4 });
     assert!(fault.to_string().contains("no placement of 3 frictionless fingers"));
+}
+
+/// A bent strip: the normals of two triplets balance, but none has a point that all three face.
+#[test]
+fn three_fingers_need_a_point_where_their_normals_meet() {
+    let strip = [[2.0, 5.0], [5.0, 2.0], [6.0, 0.0], [5.0, 1.0], [1.0, 5.0], [1.0, 6.0]];
+    let part = Part::uniform(Polygon::new(&strip).unwrap(), 1.0).unwrap();
+    let fault = three_fingers(&part, &ThreeFingers::with_preload(1.0), |_| {}).unwrap_err();
+    assert_eq!(
+        fault,
+        OptimizeError::TorquesNeverBalance { fingers: 3, combinations: 20, spanning: 2 }
+    );
+}
+
+#[test]
+fn stiffnesses_of_any_size_but_not_of_any_ratio_are_taken() {
+    let outline = || Polygon::new(&RECTANGLE).unwrap();
+    let quality = |k: f64| {
+        let part = Part::uniform(outline(), k).unwrap();
+        four_fingers(&part, &FourFingers::default(), |_| {}).unwrap().best.quality.value
+    };
+    for k in [1e-200, 1e200, 1e300] {
+        assert!((quality(k) / k - quality(1.0)).abs() <= 1e-12 * quality(1.0), "{k:e}");
+    }
+    let fault = Part::new(outline(), vec![1e10, 1.0, 1.0, 2.0]).unwrap_err();
+    let (smallest, largest, limit) = (1.0, 1e10, LARGEST_SPREAD);
+    assert_eq!(fault, OptimizeError::StiffnessSpread { smallest, largest, limit });
+}
+
+/// So flat that its stiffness across is lost beside the one along: refused, not called free.
+#[test]
+fn a_needle_beyond_rounding_is_out_of_range() {
+    let needle = Polygon::new(&[[0.0, 0.0], [1.0, 0.0], [0.4, 3e-8]]).unwrap();
+    let part = Part::uniform(needle, 1.0).unwrap();
+    let fault = four_fingers(&part, &FourFingers::default(), |_| {}).unwrap_err();
+    assert!(matches!(fault, OptimizeError::OutOfRange { .. }), "{fault:?}");
 }
 
 /// On a square of side 2 with `k = 1`, fingers at one end of each side, all turning the same way
@@ -60,7 +97,7 @@ fn a_square_is_held_at_its_corners() {
     let square = [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]];
     let part = Part::uniform(Polygon::new(&square).unwrap(), 1.0).unwrap();
     let outcome = four_fingers(&part, &FourFingers::default(), |_| {}).unwrap();
-    let best = &outcome.solutions[0];
+    let best = &outcome.best;
     assert!((best.quality.value - 2.0).abs() < 1e-14);
     assert!((best.quality.equivalent - 2.0).abs() < 1e-14);
     assert_eq!(best.edges(), [0, 1, 2, 3]);
@@ -82,9 +119,10 @@ fn slivers_and_extreme_sizes_have_an_optimum() {
             let corners = [[0.0, 0.0], [size, 0.0], [0.4 * size, sliver * size]];
             let part = Part::uniform(Polygon::new(&corners).unwrap(), 2.0).unwrap();
             let four = four_fingers(&part, &FourFingers::default(), |_| {}).unwrap();
-            assert!(four.solutions[0].quality.value > 0.0);
-            let three = three_fingers(&part, &ThreeFingers::with_preload(1e-3 * size)).unwrap();
-            assert!(three.solutions[0].quality.value > 0.0);
+            assert!(four.best.quality.value > 0.0);
+            let three =
+                three_fingers(&part, &ThreeFingers::with_preload(1e-3 * size), |_| {}).unwrap();
+            assert!(three.best.quality.value > 0.0);
         }
     }
 }
@@ -96,11 +134,10 @@ fn regular_polygons_get_harder_to_hold_with_more_corners() {
         let angle = |i| std::f64::consts::TAU * f64::from(i) / f64::from(n);
         let corners: Vec<_> = (0..n).map(|i| [angle(i).cos(), angle(i).sin()]).collect();
         let part = Part::uniform(Polygon::new(&corners).unwrap(), 1.0).unwrap();
-        four_fingers(&part, &FourFingers::default(), |_| {}).unwrap().solutions[0].quality
+        four_fingers(&part, &FourFingers::default(), |_| {}).unwrap().best.quality
     };
     let (six, twenty_four, forty_eight) = (quality(6), quality(24), quality(48));
     assert!(six.value > twenty_four.value && twenty_four.value > forty_eight.value);
-    assert_eq!(forty_eight.limited_by, LimitedBy::Rotation);
     // mu is of the order of the squared half side, (pi / n)^2.
     let ratio = twenty_four.value / forty_eight.value;
     assert!((3.9..4.1).contains(&ratio), "{ratio}");

@@ -18,7 +18,7 @@ fn random_part(r: &mut Random, corners: usize) -> Part {
 }
 
 /// The grasp by pointed fingers at `along` (0 to 1) of each edge.
-fn grasp(part: &Part, edges: [usize; 4], along: [f64; 4]) -> Grasp<2, 1> {
+pub(crate) fn grasp(part: &Part, edges: [usize; 4], along: [f64; 4]) -> Grasp<2, 1> {
     let contacts = edges.iter().zip(along).map(|(&e, t)| {
         let edge = &part.outline().edges()[e];
         let law = Law::linear(part.edge_stiffness()[e]).unwrap();
@@ -48,7 +48,7 @@ fn closes(grasp: &Grasp<2, 1>) -> bool {
 }
 
 /// `mu_eq`, or nothing when the placement does not close.
-fn equivalent(part: &Part, edges: [usize; 4], along: [f64; 4]) -> Option<f64> {
+pub(crate) fn equivalent(part: &Part, edges: [usize; 4], along: [f64; 4]) -> Option<f64> {
     let grasp = grasp(part, edges, along);
     if !closes(&grasp) {
         return None;
@@ -133,7 +133,7 @@ fn a_reported_placement_has_the_reported_quality() {
     for corners in [3, 4, 6, 9] {
         let part = random_part(r, corners);
         let outcome = four_fingers(&part, &FourFingers::default(), |_| {}).unwrap();
-        let best = &outcome.solutions[0];
+        let best = &outcome.best;
         let contacts = best.placements.iter().map(|p| {
             let law = Law::linear(part.edge_stiffness()[p.edge]).unwrap();
             let place = part.outline().place(p.point);
@@ -147,14 +147,14 @@ fn a_reported_placement_has_the_reported_quality() {
         let principal = Principal::near(grasp.centroid(), about).unwrap();
         let quality = Quality::of(&principal, part.outline());
         assert_close(quality.value, best.quality.value, 1e-12, quality.value, "quality");
-        let margin = grasp.preloads().best.unwrap().margin;
+        let margin = grasp.preloads().unwrap().best.unwrap().margin;
         let least = best.placements.iter().map(|p| p.share).fold(f64::INFINITY, f64::min);
         assert_close(margin, least, 1e-8, 1.0, "least share");
     }
 }
 
 /// Meeting points on a fine grid find nothing better, and come close; and the stiffness of the
-/// grasp itself, to second order, is the one that was optimised, less the overlaps' share.
+/// grasp itself, to second order, is the one that was optimized, less the overlaps' share.
 #[test]
 fn three_fingers_match_a_grid_of_meeting_points_and_the_second_order_stiffness() {
     let r = &mut Random::new(43);

@@ -35,7 +35,7 @@ fn bowed(n: usize, sagitta: f64) -> Corners {
         .collect()
 }
 
-/// Corners in groups whose members are a few roundings to 1e-3 apart, about a centre.
+/// Corners in groups whose members are a few roundings to 1e-3 apart, about a center.
 fn clustered(r: &mut Random, groups: usize) -> Corners {
     let mut corners: Corners = Vec::new();
     for i in 0..groups {
@@ -92,7 +92,7 @@ fn queries(r: &mut Random, part: &Polygon) -> Vec<Vector<2>> {
     for share in [1e-9, 0.3, 1.0, 5.0, 1e3] {
         points.extend((0..20).map(|_| circle.center + Vector::new(r.array(share)) * circle.radius));
     }
-    for boundary in part.partition().boundaries().iter().take(60) {
+    for boundary in part.partition().borders().iter().take(60) {
         points.push(boundary.middle);
         for reach in [1.0, 30.0, 1e3] {
             let around = Circle { radius: reach * circle.radius, ..circle };
@@ -100,11 +100,11 @@ fn queries(r: &mut Random, part: &Polygon) -> Vec<Vector<2>> {
         }
     }
     // On the rays from the circumcentres away from the corners, and behind them.
-    for (cell, i) in part.partition().cells().iter().zip(0..60) {
-        let corner = part.corners()[cell.corner];
+    for (region, i) in part.partition().regions().iter().zip(0..60) {
+        let corner = part.corners()[region.corner];
         points.push(corner);
-        let number = cell.boundaries[i % cell.boundaries.len()];
-        let border = &part.partition().boundaries()[number];
+        let number = region.borders[i % region.borders.len()];
+        let border = &part.partition().borders()[number];
         let away = border.point_at(border.from) - corner;
         points.extend([-0.5, 0.2, 1.0, 1.5].map(|share| corner + away * share));
     }
@@ -132,7 +132,7 @@ fn points_of_a_boundary_have_two_farthest_corners() {
     let r = &mut Random::new(12);
     for part in outlines(r) {
         let circle = part.enclosing_circle();
-        for boundary in part.partition().boundaries() {
+        for boundary in part.partition().borders() {
             let around = Circle { radius: 2e3 * circle.radius, ..circle };
             let Some([low, high]) = boundary.within(around) else {
                 continue;
@@ -153,14 +153,14 @@ fn points_of_a_boundary_have_two_farthest_corners() {
 }
 
 #[test]
-fn neighbouring_cells_have_one_boundary_each() {
+fn neighboring_cells_have_one_boundary_each() {
     let r = &mut Random::new(13);
     for n in (3..60).chain([500]) {
         let part = outline(&r.convex(n)).unwrap();
-        let boundaries = part.partition().boundaries();
-        assert_eq!(boundaries.len(), 2 * n - 3, "boundaries of {n} corners");
-        assert_eq!(boundaries.iter().filter(|b| b.to.is_infinite()).count(), n, "rays");
-        let mut pairs: Vec<_> = boundaries
+        let borders = part.partition().borders();
+        assert_eq!(borders.len(), 2 * n - 3, "borders of {n} corners");
+        assert_eq!(borders.iter().filter(|b| b.to.is_infinite()).count(), n, "rays");
+        let mut pairs: Vec<_> = borders
             .iter()
             .map(|b| (b.corners.0.min(b.corners.1), b.corners.0.max(b.corners.1)))
             .collect();
@@ -175,29 +175,29 @@ fn cells_are_convex_cover_the_plane_and_do_not_overlap() {
     let r = &mut Random::new(14);
     for part in outlines(r) {
         let partition = part.partition();
-        assert_eq!(partition.cells().len(), part.hull().len());
+        assert_eq!(partition.regions().len(), part.hull().len());
         let circle = part.enclosing_circle();
-        // How far a point is within a cell: least over its borders, positive on the inside.
-        let depth = |cell: &clench_shape::Cell, point: Vector<2>| {
-            cell.boundaries.iter().fold(f64::INFINITY, |least, &b| {
-                let boundary = partition.boundaries()[b];
+        // How far a point is within a region: least over its borders, positive on the inside.
+        let depth = |region: &clench_shape::Region, point: Vector<2>| {
+            region.borders.iter().fold(f64::INFINITY, |least, &b| {
+                let boundary = partition.borders()[b];
                 let left = planar::cross(boundary.direction, point - boundary.middle);
-                least.min(if boundary.corners.1 == cell.corner { -left } else { left })
+                least.min(if boundary.corners.1 == region.corner { -left } else { left })
             })
         };
         for _ in 0..20 {
             let point = circle.center + Vector::new(r.array(3.0)) * circle.radius;
             let farthest = part.farthest(point).corner;
-            let others = partition.cells().iter().filter(|cell| cell.corner != farthest);
-            let own = partition.cells().iter().find(|cell| cell.corner == farthest).unwrap();
+            let others = partition.regions().iter().filter(|region| region.corner != farthest);
+            let own = partition.regions().iter().find(|region| region.corner == farthest).unwrap();
             let largest = brute_force(&part, point);
-            let clear = others
-                .clone()
-                .all(|cell| (point - part.corners()[cell.corner]).norm() < largest * (1.0 - 1e-9));
+            let clear = others.clone().all(|region| {
+                (point - part.corners()[region.corner]).norm() < largest * (1.0 - 1e-9)
+            });
             if clear {
-                assert!(depth(own, point) > 0.0, "point {point:?} is outside its cell");
-                for cell in others {
-                    assert!(depth(cell, point) <= 0.0, "{point:?} is also in {}", cell.corner);
+                assert!(depth(own, point) > 0.0, "point {point:?} is outside its region");
+                for region in others {
+                    assert!(depth(region, point) <= 0.0, "{point:?} is also in {}", region.corner);
                 }
             }
         }
@@ -210,14 +210,14 @@ fn the_borders_of_a_cell_follow_each_other_counter_clockwise() {
     for n in [3, 4, 5, 12, 40] {
         let part = outline(&r.convex(n)).unwrap();
         let radius = part.enclosing_circle().radius;
-        for cell in part.partition().cells() {
-            // Each border, run with the cell on its left: its two ends.
+        for region in part.partition().regions() {
+            // Each border, run with the region on its left: its two ends.
             let ends = |&b: &usize| {
-                let boundary = part.partition().boundaries()[b];
+                let boundary = part.partition().borders()[b];
                 let ends = [boundary.from, boundary.to].map(|offset| boundary.point_at(offset));
-                if boundary.corners.0 == cell.corner { ends } else { [ends[1], ends[0]] }
+                if boundary.corners.0 == region.corner { ends } else { [ends[1], ends[0]] }
             };
-            for pair in cell.boundaries.windows(2) {
+            for pair in region.borders.windows(2) {
                 let ([_, end], [start, _]) = (ends(&pair[0]), ends(&pair[1]));
                 // Both are the circumcentre of one triangle; a flat one of 40 corners has a
                 // radius of about 40^2 times the part's, and so has the error.
@@ -264,7 +264,7 @@ fn a_segment_along_a_boundary_is_covered_too() {
     for part in outlines(r) {
         let circle = part.enclosing_circle();
         let wide = Circle { radius: 3.0 * circle.radius, ..circle };
-        for boundary in part.partition().boundaries().iter().take(40) {
+        for boundary in part.partition().borders().iter().take(40) {
             let Some([start, end]) = boundary.within(wide) else {
                 continue;
             };
@@ -314,7 +314,7 @@ fn the_enclosing_circle_is_the_smallest() {
         let part = outline(&corners).unwrap();
         let (found, expected) = (part.enclosing_circle(), smallest_circle(part.corners()));
         assert_close(found.radius, expected.radius, ROUNDING, expected.radius, "radius");
-        // Two almost equal candidates differ more in the centre than in the radius.
+        // Two almost equal candidates differ more in the center than in the radius.
         let apart = (found.center - expected.center).norm();
         assert!(apart <= 1e-7 * found.radius, "centres are {apart:e} apart");
     }
@@ -328,7 +328,7 @@ fn the_enclosing_circle_encloses_all_corners_and_rests_on_two_or_three() {
         let offsets: Vec<_> = part.corners().iter().map(|&corner| corner - center).collect();
         assert!(offsets.iter().all(|v| v.norm() <= radius), "a corner is outside");
         // A circle is smallest when no half turn is free of corners on it; to rounding, since
-        // each direction must have a corner on the circle that is not behind the centre.
+        // each direction must have a corner on the circle that is not behind the center.
         let on: Vec<_> =
             offsets.iter().filter(|v| v.norm() >= radius * (1.0 - 4.0 * ROUNDING)).collect();
         for i in 0..360 {
@@ -403,7 +403,7 @@ fn answers(part: &Polygon, point: Vector<2>, size: f64) -> Vec<u64> {
     for stretch in part.farthest_along(point * size, circle.center) {
         all.extend([stretch.corner as f64, stretch.from, stretch.to]);
     }
-    for boundary in part.partition().boundaries() {
+    for boundary in part.partition().borders() {
         all.extend(scaled(boundary.middle).to_array());
         all.extend(boundary.direction.to_array());
         all.extend([boundary.from / size, boundary.to / size]);

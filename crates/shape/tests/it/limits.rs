@@ -77,7 +77,7 @@ fn extremes_of_both_kinds_in_one_outline_are_taken_exactly() {
 }
 
 #[test]
-fn neighbours_at_the_same_point_leave_an_edge_without_length() {
+fn neighbors_at_the_same_point_leave_an_edge_without_length() {
     let square = [[0.0, 0.0], [1.0, 0.0], [1.0, 0.0], [0.0, 1.0]];
     refused(&square, PolygonError::ZeroLengthEdge { start: 1, end: 2 });
     // The first corner repeated at the end, as many file formats do; the zeros differ in sign.
@@ -148,8 +148,8 @@ fn corners_within_a_straight_side_are_kept_but_are_no_hull_corners() {
     assert_eq!(part.edges()[1].inward_normal().to_array(), [0.0, 1.0]);
     assert_eq!(part.hull(), [0, 2, 3, 5]);
     assert_eq!(part.enclosing_circle().center.to_array(), [1.0, 1.0]);
-    // Four corners on one circle: the regions meet in one point, with a ray between neighbours.
-    assert_eq!(part.partition().boundaries().len(), 4);
+    // Four corners on one circle: the regions meet in one point, with a ray between neighbors.
+    assert_eq!(part.partition().borders().len(), 4);
 }
 
 #[test]

@@ -36,7 +36,7 @@ pub(crate) fn balanced<const N: usize, const M: usize>(
 pub(crate) fn net_wrench<const N: usize, const M: usize>(grasp: &Grasp<N, M>) -> Wrench<N, M> {
     let mut net = Wrench::ZERO;
     for contact in grasp.contacts() {
-        let force = contact.overlap().normal() * contact.preload();
+        let force = contact.overlap().inward_normal() * contact.preload();
         let torque = -(lever::<N, M>(contact.overlap().point()).transpose() * force);
         net += Wrench { force, torque };
     }

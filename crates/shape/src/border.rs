@@ -12,7 +12,7 @@ use crate::triangulation::{Triangle, doubled_area};
 /// on one line its ends can be very far away; measured from `middle`, it is still known precisely
 /// where it passes the part.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Boundary {
+pub struct Border {
     /// The two corners that are farthest from each point. The region of the first is on the left
     /// of `direction`, that of the second on the right.
     pub corners: (usize, usize),
@@ -34,7 +34,7 @@ const POINT_ROUNDING: f64 = 16.0 * f64::EPSILON;
 /// Stands for an end that no double can name; coordinates of parts stop at 1e130.
 const BEYOND_REACH: f64 = 1e300;
 
-impl Boundary {
+impl Border {
     /// The point at the signed distance `offset` from `middle`.
     #[must_use]
     pub fn point_at(&self, offset: f64) -> Vector<2> {
@@ -50,7 +50,7 @@ impl Boundary {
     /// use clench_shape::Polygon;
     /// let part = Polygon::new(&[[-3.0, 0.0], [3.0, 0.0], [0.0, 1.0]])?;
     /// let circle = part.enclosing_circle();
-    /// let base = part.partition().boundaries().iter().find(|b| b.corners == (1, 0)).unwrap();
+    /// let base = part.partition().borders().iter().find(|b| b.corners == (1, 0)).unwrap();
     /// // The bisector of the two far corners, inside the circle of radius 3: all of it.
     /// let [low, high] = base.within(circle).unwrap();
     /// assert_eq!((low.to_array(), high.to_array()), ([0.0, -3.0], [0.0, 3.0]));
@@ -75,7 +75,7 @@ pub(crate) fn border(
     triangle: &Triangle,
     i: usize,
     beyond: Option<&Triangle>,
-) -> Option<Boundary> {
+) -> Option<Border> {
     let [a, b] = triangle.side(i);
     let side = sites[b] - sites[a];
     let distance = side.norm();
@@ -91,7 +91,7 @@ pub(crate) fn border(
         return None;
     }
     let middle = sites[a] + side * 0.5;
-    Some(Boundary { corners: (corners[b], corners[a]), middle, direction, from, to })
+    Some(Border { corners: (corners[b], corners[a]), middle, direction, from, to })
 }
 
 /// How far the circumcenter of `a b c` is to the left of the side from `a` to `b`: half the side

@@ -1,20 +1,27 @@
-//! The combinations of edges that four fingers can close on, by number.
+//! The sets of edges that three or four fingers can close on, by number.
+#![allow(
+    clippy::cast_possible_truncation,
+    clippy::cast_sign_loss,
+    reason = "a first guess that is put right, and numbers of edges that exist"
+)]
 
 /// The multisets of four edges with at most one pair on one edge.
 ///
 /// Three fingers on one edge, or two on each of two edges, never balance: their normals do not
 /// positively span the plane, or only by leaving a finger without force.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Combinations {
+pub(super) struct EdgeSets {
     distinct: u64,
     total: u64,
 }
 
-impl Combinations {
-    pub(super) fn of_edges(edges: usize) -> Self {
+impl EdgeSets {
+    /// `None` when there are more than can be counted.
+    pub(super) fn of_edges(edges: usize) -> Option<Self> {
         let n = edges as u64;
-        let distinct = choose::<4>(n);
-        Self { distinct, total: distinct + 3 * choose::<3>(n) }
+        let distinct = choose(n, 4)?;
+        let total = distinct.checked_add(choose(n, 3)?.checked_mul(3)?)?;
+        Some(Self { distinct, total })
     }
 
     pub(super) const fn total(&self) -> u64 {
@@ -36,43 +43,45 @@ impl Combinations {
     }
 }
 
+/// Triplet `number` of different edges, ascending.
+pub(super) fn triplet(number: u64) -> [usize; 3] {
+    subset(number)
+}
+
 /// Subset `number` of size `K` in the combinatorial number system: the sum of
 /// `choose(c_i, i + 1)` over its elements `c_0 < c_1 < ...`.
 fn subset<const K: usize>(mut number: u64) -> [usize; K] {
     let mut elements = [0; K];
-    for size in (1..=K).rev() {
+    for size in (1..=K as u64).rev() {
         let largest = largest_with_at_most(number, size);
-        number -= choose_dynamic(largest, size);
-        elements[size - 1] = usize::try_from(largest).unwrap_or(usize::MAX);
+        number -= choose(largest, size).unwrap_or(number);
+        elements[size as usize - 1] = largest as usize;
     }
     elements
 }
 
 /// The largest `c` with `choose(c, size) <= number`.
-fn largest_with_at_most(number: u64, size: usize) -> u64 {
+fn largest_with_at_most(number: u64, size: u64) -> u64 {
     let factorial: f64 = (1..=size).map(|i| i as f64).product();
-    #[expect(
-        clippy::cast_possible_truncation,
-        clippy::cast_sign_loss,
-        clippy::cast_precision_loss,
-        reason = "a first guess, put right below"
-    )]
+    // A first guess, put right below.
     let mut c = (number as f64 * factorial).powf((size as f64).recip()) as u64;
-    while choose_dynamic(c + 1, size) <= number {
+    let at_most = |c: u64| choose(c, size).is_some_and(|count| count <= number);
+    while at_most(c + 1) {
         c += 1;
     }
-    while choose_dynamic(c, size) > number {
+    while !at_most(c) {
         c -= 1;
     }
     c
 }
 
-fn choose<const K: usize>(n: u64) -> u64 {
-    choose_dynamic(n, K)
-}
-
-fn choose_dynamic(n: u64, k: usize) -> u64 {
-    (0..k as u64).fold(1, |product, i| product * n.saturating_sub(i) / (i + 1))
+/// How many subsets of `size` elements `n` elements have, if that can be counted.
+pub(super) fn choose(n: u64, size: u64) -> Option<u64> {
+    let count = (0..u128::from(size)).try_fold(1_u128, |product, i| {
+        let factor = u128::from(n).saturating_sub(i);
+        Some(product.checked_mul(factor)? / (i + 1))
+    });
+    u64::try_from(count?).ok()
 }
 
 #[cfg(test)]
@@ -84,10 +93,9 @@ mod tests {
     #[test]
     fn each_combination_has_one_number() {
         for edges in [3, 4, 7] {
-            let combinations = Combinations::of_edges(edges);
-            let found: BTreeSet<_> =
-                (0..combinations.total()).map(|i| combinations.get(i)).collect();
-            assert_eq!(found.len() as u64, combinations.total());
+            let sets = EdgeSets::of_edges(edges).unwrap();
+            let found: BTreeSet<_> = (0..sets.total()).map(|i| sets.get(i)).collect();
+            assert_eq!(found.len() as u64, sets.total());
             let mut expected = BTreeSet::new();
             for a in 0..edges {
                 for b in a..edges {
@@ -106,9 +114,15 @@ mod tests {
     }
 
     #[test]
+    fn more_sets_than_can_be_counted_are_none() {
+        assert!(EdgeSets::of_edges(100_000).is_some());
+        assert!(EdgeSets::of_edges(1_000_000).is_none());
+    }
+
+    #[test]
     fn numbers_stay_exact_for_large_outlines() {
-        let combinations = Combinations::of_edges(20_000);
-        assert_eq!(combinations.get(combinations.total() - 1), [19_997, 19_998, 19_999, 19_999]);
-        assert_eq!(combinations.get(choose::<4>(20_000) - 1), [19_996, 19_997, 19_998, 19_999]);
+        let sets = EdgeSets::of_edges(20_000).unwrap();
+        assert_eq!(sets.get(sets.total() - 1), [19_997, 19_998, 19_999, 19_999]);
+        assert_eq!(sets.get(choose(20_000, 4).unwrap() - 1), [19_996, 19_997, 19_998, 19_999]);
     }
 }

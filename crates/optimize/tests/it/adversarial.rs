@@ -1,0 +1,172 @@
+//! Parts on which faces degenerate: symmetric ones, parallel and nearly parallel edges, widely
+//! different stiffnesses. Each family is held against sampling, and against itself.
+
+use clench_optimize::OptimizeError;
+use clench_optimize::polygon::{FourFingers, Part, four_fingers, four_fingers_on};
+use clench_screw::planar::Frame;
+use clench_shape::Polygon;
+use clench_testkit::{Random, assert_close};
+
+use crate::sampling::{equivalent, grasp};
+
+fn turned(corners: &[[f64; 2]], angle: f64) -> Vec<[f64; 2]> {
+    let frame = Frame::new([0.0, 0.0], angle);
+    corners.iter().map(|&c| frame.point_to_parent(c.into()).to_array()).collect()
+}
+
+fn rectangle(r: &mut Random) -> Vec<[f64; 2]> {
+    let (w, h) = (r.between(0.5, 3.0), r.between(0.5, 3.0));
+    turned(&[[0.0, 0.0], [w, 0.0], [w, h], [0.0, h]], r.between(0.0, 6.0))
+}
+
+fn regular(r: &mut Random) -> Vec<[f64; 2]> {
+    let (n, first) = (4 + r.below(5), r.between(0.0, 6.0));
+    let angle = |i: usize| first + std::f64::consts::TAU * i as f64 / n as f64;
+    (0..n).map(|i| [angle(i).cos(), angle(i).sin()]).collect()
+}
+
+fn bent(r: &mut Random) -> Vec<[f64; 2]> {
+    let (w, h) = (r.between(2.0, 4.0), r.between(2.0, 4.0));
+    let (x, y) = (r.between(0.5, 1.5), r.between(0.5, 1.5));
+    let corners = [[0.0, 0.0], [w, 0.0], [w, y], [x, y], [x, h], [0.0, h]];
+    turned(&corners, [0.0, r.between(0.0, 6.0)][r.below(2)])
+}
+
+/// As a drawing exports it: right angles up to the sixth decimal.
+fn rounded(r: &mut Random) -> Vec<[f64; 2]> {
+    let corners = if r.below(2) == 0 { rectangle(r) } else { bent(r) };
+    corners.iter().map(|c| c.map(|x| (x * 1e6).round() / 1e6)).collect()
+}
+
+/// A trapezoid whose long sides are parallel up to a small slope.
+fn nearly_parallel(r: &mut Random) -> Vec<[f64; 2]> {
+    let slope = 10.0_f64.powf(r.between(-9.0, -3.0));
+    let (w, h) = (r.between(1.0, 4.0), r.between(0.5, 2.0));
+    turned(&[[0.0, 0.0], [w, slope], [w, h], [0.2 * w, h - slope]], r.between(0.0, 6.0))
+}
+
+fn check(family: &str, corners: &[[f64; 2]], stiffness: Vec<f64>, r: &mut Random) {
+    let what = format!("{family} {corners:?} {stiffness:?}");
+    let part = Part::new(Polygon::new(corners).unwrap(), stiffness).unwrap();
+    let outcome = four_fingers(&part, &FourFingers::default(), |_| {}).unwrap();
+    let best = outcome.best.quality.value;
+    assert_close(outcome.certificate.upper_bound, best, 1e-7, best, format!("bound of {what}"));
+    let margin = outcome.best.placements.iter().map(|p| p.share).fold(f64::INFINITY, f64::min);
+    assert!(margin >= 0.0, "{what}");
+
+    let n = corners.len();
+    let (mut seen, mut sampled) = (0.0_f64, 0);
+    for a in 0..n {
+        for b in a..n {
+            for c in b..n {
+                for d in c..n {
+                    let edges = [a, b, c, d];
+                    // Nearly parallel edges alone may hold less than rounding can tell.
+                    let q = match four_fingers_on(&part, edges) {
+                        Ok(found) => found.map(|s| s.quality),
+                        Err(OptimizeError::OutOfRange { .. }) => continue,
+                        Err(other) => panic!("{other}"),
+                    };
+                    seen = seen.max(q.map_or(0.0, |q| q.value));
+                    for _ in 0..60 {
+                        let along = std::array::from_fn(|_| match r.below(4) {
+                            0 => 0.0,
+                            1 => 1.0,
+                            _ => r.between(0.0, 1.0),
+                        });
+                        let closing = equivalent(&part, edges, along).filter(|_| {
+                            // A margin above rounding, so that the placement really closes.
+                            let best = grasp(&part, edges, along).preloads().unwrap().best;
+                            best.is_some_and(|b| b.margin > 1e-6)
+                        });
+                        if let Some(value) = closing {
+                            let optimum = q.map_or(0.0, |q| q.equivalent);
+                            assert!(
+                                value <= optimum * (1.0 + 1e-7),
+                                "{edges:?} {along:?}: {value} > {optimum}, {what}"
+                            );
+                            sampled += 1;
+                        }
+                    }
+                }
+            }
+        }
+    }
+    assert!(seen <= best * (1.0 + 1e-7), "{seen} > {best}: {what}");
+    assert!(sampled > 0, "{what}");
+}
+
+#[test]
+fn no_sample_beats_the_optimum_of_degenerate_parts() {
+    let r = &mut Random::new(61);
+    type Family = fn(&mut Random) -> Vec<[f64; 2]>;
+    let families: [(&str, Family); 5] = [
+        ("rectangle", rectangle),
+        ("regular", regular),
+        ("bent", bent),
+        ("rounded", rounded),
+        ("nearly parallel", nearly_parallel),
+    ];
+    for (name, family) in families {
+        for round in 0..12 {
+            let corners = family(r);
+            let stiffness = match round % 3 {
+                0 => vec![1.0; corners.len()],
+                1 => corners.iter().map(|_| r.between(0.5, 2.0)).collect(),
+                _ => corners.iter().map(|_| 10.0_f64.powf(r.between(-3.0, 3.0))).collect(),
+            };
+            check(name, &corners, stiffness, r);
+        }
+    }
+}
+
+/// Pins at the ends of a diagonal, two in each corner, hold a rectangle best: for stiffness 1 and
+/// sides w and h, `mu = (w^2 + h^2) / 2` and `rho^2 = (w^2 + h^2) / 4`, so both stiffnesses are 2.
+#[test]
+fn any_rectangle_is_held_with_quality_two() {
+    let r = &mut Random::new(62);
+    for _ in 0..300 {
+        let part = Part::uniform(Polygon::new(&rectangle(r)).unwrap(), 1.0).unwrap();
+        let outcome = four_fingers(&part, &FourFingers::default(), |_| {}).unwrap();
+        assert_close(outcome.best.quality.value, 2.0, 1e-12, 2.0, "rectangle");
+    }
+}
+
+#[test]
+fn turning_a_regular_polygon_does_not_change_its_quality() {
+    let r = &mut Random::new(63);
+    for n in 4..=12_u32 {
+        let quality = |first: f64| {
+            let angle = |i| first + std::f64::consts::TAU * f64::from(i) / f64::from(n);
+            let corners: Vec<_> = (0..n).map(|i| [angle(i).cos(), angle(i).sin()]).collect();
+            let part = Part::uniform(Polygon::new(&corners).unwrap(), 1.0).unwrap();
+            four_fingers(&part, &FourFingers::default(), |_| {}).unwrap().best.quality.value
+        };
+        let wanted = quality(0.0);
+        for _ in 0..6 {
+            let found = quality(r.between(0.0, 6.0));
+            assert_close(found, wanted, 1e-11, wanted, format!("{n} corners"));
+        }
+    }
+}
+
+/// On these edges of an S the torques balance only where two forces vanish, and no placement near
+/// by has all forces positive: the placements touch the cone of pushing forces from outside.
+#[test]
+fn placements_that_only_touch_the_pushing_cone_are_no_limits() {
+    let s = [
+        [0.0, 0.0],
+        [2.0, 0.0],
+        [2.0, 1.0],
+        [3.0, 1.0],
+        [3.0, 2.0],
+        [1.0, 2.0],
+        [1.0, 1.0],
+        [0.0, 1.0],
+    ];
+    for angle in [0.0, 0.3, 1.1, 4.0] {
+        let outline = Polygon::new(&turned(&s, angle)).unwrap();
+        let part = Part::uniform(outline, 1.0).unwrap();
+        assert_eq!(four_fingers_on(&part, [2, 3, 6, 7]).unwrap(), None, "{angle}");
+    }
+}
