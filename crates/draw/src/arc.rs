@@ -6,47 +6,36 @@ use std::f64::consts::{FRAC_PI_6, TAU};
 ///
 /// The axes need not be perpendicular, so every affine image of a circle is one. Angles are
 /// in radians and may run either way.
-///
-/// ```
-/// use clench_draw::EllipseArc;
-///
-/// let circle = EllipseArc::circle([1.0, 2.0], 3.0);
-/// assert_eq!(circle.point(0.0), [4.0, 2.0]);
-/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct EllipseArc {
+pub(crate) struct EllipseArc {
     /// The center.
-    pub center: [f64; 2],
+    pub(crate) center: [f64; 2],
     /// Two conjugate half-diameters.
-    pub axes: [[f64; 2]; 2],
+    pub(crate) axes: [[f64; 2]; 2],
     /// The angle it starts at.
-    pub from: f64,
+    pub(crate) from: f64,
     /// The angle it ends at.
-    pub to: f64,
+    pub(crate) to: f64,
 }
 
 impl EllipseArc {
     /// A whole circle.
-    #[must_use]
-    pub const fn circle(center: [f64; 2], radius: f64) -> Self {
+    pub(crate) const fn circle(center: [f64; 2], radius: f64) -> Self {
         Self { center, axes: [[radius, 0.0], [0.0, radius]], from: 0.0, to: TAU }
     }
 
     /// A whole ellipse with these conjugate half-diameters.
-    #[must_use]
-    pub const fn ellipse(center: [f64; 2], axes: [[f64; 2]; 2]) -> Self {
+    pub(crate) const fn ellipse(center: [f64; 2], axes: [[f64; 2]; 2]) -> Self {
         Self { center, axes, from: 0.0, to: TAU }
     }
 
     /// The same ellipse between other angles.
-    #[must_use]
-    pub const fn between(self, from: f64, to: f64) -> Self {
+    pub(crate) const fn between(self, from: f64, to: f64) -> Self {
         Self { from, to, ..self }
     }
 
     /// The point at this angle.
-    #[must_use]
-    pub fn point(&self, angle: f64) -> [f64; 2] {
+    pub(crate) fn point(&self, angle: f64) -> [f64; 2] {
         self.combine(angle.cos(), angle.sin())
     }
 
@@ -60,7 +49,8 @@ impl EllipseArc {
     }
 
     /// Start point and cubic pieces, each two handles and an end. A piece spans at most 30
-    /// degrees, where the radius is right to 1e-7.
+    /// degrees, where the radius is right to 4e-7: a quarter turn errs by 2.7e-4, and the error
+    /// falls with the sixth power of the angle.
     pub(crate) fn beziers(&self) -> Vec<[f64; 2]> {
         let turn = (self.to - self.from).clamp(-TAU, TAU);
         #[expect(

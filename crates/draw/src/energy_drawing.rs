@@ -1,16 +1,14 @@
 //! The drawing of energy ellipsoids, layer by layer.
 
-use std::ops::Range;
-
-use crate::energy_ellipsoids::{EnergyEllipsoids, Layout};
+use crate::energy_ellipsoids::EnergyEllipsoids;
 use crate::energy_scene::Scene;
 use crate::energy_surface::{EnergySpace, EnergySurface};
 use crate::error::DrawError;
 use crate::figure::Figure;
 use crate::number::readable;
 use crate::paint::{Color, Stroke};
-use crate::scene::View;
 use crate::text::{Anchor, SMALL_SIZE, TITLE_SIZE, Text};
+use crate::view::View;
 
 /// Page units per unit of the scene, in which the larger ellipsoid is two wide.
 const SCENE_UNIT: f64 = 75.0;
@@ -26,9 +24,6 @@ const WRENCH_HEIGHT: f64 = 1.06;
 /// The least ratio of the floor's sides: on a narrower one the values would collide.
 const NARROWEST: f64 = 0.75;
 
-/// How far from the middle the two scenes stand that are side by side.
-const APART: f64 = 2.0;
-
 /// Colors of the upright and the slanted ellipsoid.
 const COLORS: [Color; 2] = [Color::BLUE, Color::ORANGE];
 
@@ -40,29 +35,21 @@ pub(crate) fn draw(picture: &EnergyEllipsoids) -> Result<Figure, DrawError> {
     let widest = |i: usize| extents[0][i].max(extents[1][i]);
     let view = View::from_angles(azimuth(&solids[1]), ELEVATION);
     let mut figure = Figure::new([[-1.0, -1.0], [1.0, 1.0]], [2.0 * SCENE_UNIT; 2])?;
-    let groups: Vec<(Range<usize>, [f64; 2])> = match picture.layout {
-        Layout::Overlaid => vec![(0..2, [0.0, 0.0])],
-        Layout::SideBySide => vec![(0..1, [-APART, 0.0]), (1..2, [APART, 0.0])],
+    let mut scene = Scene {
+        space: picture.space,
+        view,
+        factors,
+        floor: [0, 1].map(|i| FLOOR * widest(i).max(NARROWEST * widest(1 - i))),
+        height: match picture.space {
+            EnergySpace::Twist => widest(2),
+            EnergySpace::Wrench => WRENCH_HEIGHT * widest(2),
+        },
+        solids: &solids,
+        colors: COLORS,
+        figure: &mut figure,
     };
-    for (group, shift) in groups {
-        let mut scene = Scene {
-            space: picture.space,
-            view,
-            factors,
-            floor: [0, 1].map(|i| FLOOR * widest(i).max(NARROWEST * widest(1 - i))),
-            height: match picture.space {
-                EnergySpace::Twist => widest(2),
-                EnergySpace::Wrench => WRENCH_HEIGHT * widest(2),
-            },
-            solids: &solids[group.clone()],
-            colors: &COLORS[group],
-            shift,
-            named: shift[0] >= 0.0,
-            figure: &mut figure,
-        };
-        scene.draw()?;
-    }
-    key(picture, &surfaces, &mut figure)?;
+    scene.draw();
+    key(picture, &surfaces, &mut figure);
     Ok(figure)
 }
 
@@ -94,19 +81,15 @@ fn azimuth(slanted: &EnergySurface) -> f64 {
 }
 
 /// What the colors mean and what both ellipsoids share, below the scene.
-fn key(
-    picture: &EnergyEllipsoids,
-    surfaces: &[EnergySurface; 2],
-    figure: &mut Figure,
-) -> Result<(), DrawError> {
+fn key(picture: &EnergyEllipsoids, surfaces: &[EnergySurface; 2], figure: &mut Figure) {
     let ink = figure.ink();
     let left = ink.min[0];
     let mut y = ink.max[1] + 2.0 * SMALL_SIZE;
     for (label, color) in [&picture.upright_label, &picture.slanted_label].into_iter().zip(COLORS) {
         let line = [[left, y], [left + 22.0, y]].map(|page| figure.to_world(page));
-        figure.polyline(&line, Stroke::solid(color, 3.0))?;
+        figure.polyline(&line, Stroke::solid(color, 3.0));
         let text = Text::new(label.as_str(), SMALL_SIZE).anchored(Anchor::Start);
-        figure.caption([left + 30.0, y], &text)?;
+        figure.caption([left + 30.0, y], &text);
         y += 1.6 * SMALL_SIZE;
     }
     let [a, b, _] = surfaces[0].columns();
@@ -117,15 +100,15 @@ fn key(
         }
         EnergySpace::Wrench => {
             format!(
-                "both: touch one cylinder (thick) with semi-axes √(2σ_{{i}}) = {short} and {long}"
+                "both: touch one cylinder (along the thick curves) with semi-axes \
+                 √(2σ_{{i}}) = {short} and {long}"
             )
         }
     };
     let text = Text::new(shared, SMALL_SIZE).anchored(Anchor::Start);
-    figure.caption([left, y], &text)?;
+    figure.caption([left, y], &text);
     if let Some(title) = &picture.title {
         let text = Text::new(title.as_str(), TITLE_SIZE).anchored(Anchor::Start);
-        figure.caption([left, ink.min[1] - 1.4 * TITLE_SIZE], &text)?;
+        figure.caption([left, ink.min[1] - 1.4 * TITLE_SIZE], &text);
     }
-    Ok(())
 }

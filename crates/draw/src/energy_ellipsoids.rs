@@ -1,22 +1,9 @@
 //! The energy ellipsoids of one planar grasp in two frames.
 
 use crate::energy_surface::{EnergySpace, EnergySurface};
-use crate::error::{DrawError, Place};
+use crate::error::{DrawError, Input};
 use crate::figure::Figure;
-
-/// How far the two surfaces may disagree in a length that no frame changes: a picture of
-/// 600 page units shows no less.
-const PICTURE_TOLERANCE: f64 = 1e-3;
-
-/// How the two ellipsoids are arranged.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub enum Layout {
-    /// Both in one scene, as in the paper.
-    #[default]
-    Overlaid,
-    /// One scene each, with the same scales.
-    SideBySide,
-}
+use crate::world_map::UNSEEN;
 
 /// The paper's Figures 1 and 2: the level set `x^T A x = 2` of one grasp's energy, once in
 /// the frame at the center of compliance and once in another.
@@ -35,9 +22,8 @@ pub enum Layout {
 ///     [[2.0, 0.0, 0.0], [0.0, 2.0, 0.0], [0.0, 0.0, 8.0]],
 ///     [[2.0, 0.0, -2.0], [0.0, 2.0, 0.0], [-2.0, 0.0, 10.0]],
 /// );
-/// let [_, slanted] = picture.surfaces()?;
-/// // Highest at ω = sqrt(2 / 8), above v = -K11^{-1} K12 ω.
-/// assert_eq!(slanted.columns()[2], [0.5, 0.0, 0.5]);
+/// // Both are sqrt(2 / 8) high.
+/// assert!(picture.figure()?.to_svg().contains("ω = √(2/μ) = 0.5<"));
 /// # Ok::<(), clench_draw::DrawError>(())
 /// ```
 #[derive(Debug, Clone, PartialEq)]
@@ -54,12 +40,10 @@ pub struct EnergyEllipsoids {
     pub slanted_label: String,
     /// The heading.
     pub title: Option<String>,
-    /// One scene or two.
-    pub layout: Layout,
 }
 
 impl EnergyEllipsoids {
-    /// The overlaid picture with the key of the paper's figures and no title.
+    /// The picture with the key of the paper's figures and no title.
     #[must_use]
     pub fn new(space: EnergySpace, upright: [[f64; 3]; 3], slanted: [[f64; 3]; 3]) -> Self {
         Self {
@@ -69,22 +53,26 @@ impl EnergyEllipsoids {
             upright_label: "frame at the center of compliance".to_owned(),
             slanted_label: "frame at the origin".to_owned(),
             title: None,
-            layout: Layout::default(),
         }
     }
 
-    /// The two surfaces, upright first.
+    /// Draws the picture.
     ///
     /// # Errors
     /// [`DrawError::NotFinite`], [`DrawError::NotSymmetric`] or
     /// [`DrawError::NotPositiveDefinite`] for either matrix; [`DrawError::NotUpright`] for
     /// coupling in the first; [`DrawError::DifferentGrasps`] if the two are not one energy.
-    pub fn surfaces(&self) -> Result<[EnergySurface; 2], DrawError> {
-        let upright = EnergySurface::new(self.upright, self.space, Place::Upright)?;
-        let slanted = EnergySurface::new(self.slanted, self.space, Place::Slanted)?;
+    pub fn figure(&self) -> Result<Figure, DrawError> {
+        crate::energy_drawing::draw(self)
+    }
+
+    /// The two surfaces, upright first.
+    pub(crate) fn surfaces(&self) -> Result<[EnergySurface; 2], DrawError> {
+        let upright = EnergySurface::new(self.upright, self.space, Input::Upright)?;
+        let slanted = EnergySurface::new(self.slanted, self.space, Input::Slanted)?;
         let [[xx, _, xz], [_, yy, yz], [.., zz]] = self.upright;
         let coupling = xz.hypot(yz) / (xx.max(yy) * zz).sqrt();
-        if coupling > PICTURE_TOLERANCE {
+        if coupling > UNSEEN {
             return Err(DrawError::NotUpright { coupling });
         }
         let lengths = |surface: &EnergySurface| {
@@ -93,18 +81,10 @@ impl EnergyEllipsoids {
             [a.min(b), a.max(b), pole[2]]
         };
         for (upright, slanted) in lengths(&upright).into_iter().zip(lengths(&slanted)) {
-            if (upright - slanted).abs() > PICTURE_TOLERANCE * upright {
+            if (upright - slanted).abs() > UNSEEN * upright {
                 return Err(DrawError::DifferentGrasps { upright, slanted });
             }
         }
         Ok([upright, slanted])
-    }
-
-    /// Draws the picture.
-    ///
-    /// # Errors
-    /// As [`EnergyEllipsoids::surfaces`].
-    pub fn figure(&self) -> Result<Figure, DrawError> {
-        crate::energy_drawing::draw(self)
     }
 }

@@ -1,23 +1,24 @@
-//! The scene of one or two ellipsoids: faces, curves, axes and marks.
+//! The scene of the two ellipsoids: faces, curves, axes and marks.
 
 use std::f64::consts::{PI, TAU};
 
+use clench_screw::Vector;
+
 use crate::arc::EllipseArc;
 use crate::energy_surface::{EnergySpace, EnergySurface, SpaceEllipse};
-use crate::error::DrawError;
 use crate::figure::Figure;
 use crate::paint::{Color, Paint, Stroke};
-use crate::scene::{View, hides, runs};
 use crate::solid_pieces::{meeting_planes, pieces, section};
 use crate::text::{LABEL_SIZE, Text};
+use crate::view::{View, hides, runs};
 
 /// The length of the horizontal axes against the floor's half-width, and how far the vertical
 /// one rises above the ceiling.
 const AXIS: f64 = 1.5;
 const RISE: f64 = 0.42;
 
-/// Curves thinner than this are left out where they are hidden, by the number of solids.
-const HIDDEN_WIDTH: [f64; 3] = [0.0, 0.8, 1.3];
+/// Curves thinner than this are left out where they are hidden.
+const HIDDEN_WIDTH: f64 = 1.3;
 
 /// What a scene shows: its solids and where they stand on the page.
 pub(crate) struct Scene<'a> {
@@ -28,79 +29,65 @@ pub(crate) struct Scene<'a> {
     /// Half-widths of the floor, height of the floor below the origin, of the ceiling above.
     pub(crate) floor: [f64; 2],
     pub(crate) height: f64,
-    pub(crate) solids: &'a [EnergySurface],
-    pub(crate) colors: &'a [Color],
-    /// Where the origin of the scene stands, in the units of the projection.
-    pub(crate) shift: [f64; 2],
-    /// Whether heights are named at the right: once, where two scenes share them.
-    pub(crate) named: bool,
+    pub(crate) solids: &'a [EnergySurface; 2],
+    pub(crate) colors: [Color; 2],
     pub(crate) figure: &'a mut Figure,
 }
 
 impl Scene<'_> {
-    pub(crate) fn draw(&mut self) -> Result<(), DrawError> {
-        self.floor_plane()?;
-        self.frame_ticks()?;
+    pub(crate) fn draw(&mut self) {
+        self.floor_plane();
+        self.scales();
         if self.space == EnergySpace::Wrench {
-            self.shadow()?;
+            self.shadow();
         }
-        self.faces()?;
-        self.axes()?;
+        self.faces();
+        self.axes();
         for i in 0..self.solids.len() {
-            self.curves(i)?;
+            self.curves(i);
         }
         match self.space {
-            EnergySpace::Twist => self.ceiling()?,
+            EnergySpace::Twist => self.ceiling(),
             EnergySpace::Wrench => {
-                self.cylinder_lines()?;
-                self.axis_points()?;
+                self.cylinder_lines();
+                self.axis_points();
             }
         }
-        self.axis_names()
+        self.axis_names();
     }
 
-    /// The shaded surfaces: where two interpenetrate, piece by piece from the back.
-    fn faces(&mut self) -> Result<(), DrawError> {
-        let pair: Option<&[EnergySurface; 2]> = self.solids.try_into().ok();
-        let planes = pair.and_then(|pair| meeting_planes(pair, self.space));
-        if let (Some(pair), Some(planes)) = (pair, planes) {
-            for (index, hull) in pieces(pair, planes, &self.view) {
-                self.face(index, &hull)?;
-            }
-            for plane in planes {
-                self.curve(&section(&pair[0], plane), Color::INK, 0.9)?;
-            }
-            return Ok(());
-        }
-        for index in 0..self.solids.len() {
-            let outline = self.view.project_ellipse(&self.solids[index].silhouette(self.view.eye));
+    /// The shaded surfaces: where they interpenetrate, piece by piece from the back.
+    fn faces(&mut self) {
+        let Some(planes) = meeting_planes(self.solids, self.space) else {
+            // They coincide.
+            let outline = self.arc(&self.solids[1].silhouette(self.view.eye));
             let corners: Vec<_> =
                 (0..240).map(|i| outline.point(f64::from(i) * TAU / 240.0)).collect();
-            self.face(index, &corners)?;
+            return self.face(1, &corners);
+        };
+        for (index, hull) in pieces(self.solids, planes, &self.view) {
+            self.face(index, &hull);
         }
-        Ok(())
+        for plane in planes {
+            self.curve(&section(&self.solids[0], plane), Color::INK, 0.9);
+        }
     }
 
-    fn face(&mut self, index: usize, corners: &[[f64; 2]]) -> Result<(), DrawError> {
+    fn face(&mut self, index: usize, corners: &[[f64; 2]]) {
         let ball = self.arc(&self.solids[index].silhouette(self.view.eye));
-        let [x, y] = self.shift;
-        let corners: Vec<_> = corners.iter().map(|corner| [corner[0] + x, corner[1] + y]).collect();
-        self.figure.shaded_polygon(&corners, &ball, self.colors[index])
+        self.figure.shaded_polygon(corners, &ball, self.colors[index]);
     }
 
-    pub(crate) fn at(&self, point: [f64; 3]) -> [f64; 2] {
-        let [x, y] = self.view.project(point);
-        [x + self.shift[0], y + self.shift[1]]
+    pub(crate) fn at(&self, point: impl Into<Vector<3>>) -> [f64; 2] {
+        self.view.project(point.into())
     }
 
     pub(crate) fn arc(&self, ellipse: &SpaceEllipse) -> EllipseArc {
-        let mut arc = self.view.project_ellipse(ellipse);
-        arc.center = [arc.center[0] + self.shift[0], arc.center[1] + self.shift[1]];
-        arc
+        self.view.project_ellipse(ellipse)
     }
 
     /// A point of a surface: full where it is seen, hollow where a solid hides it.
-    pub(crate) fn mark(&mut self, point: [f64; 3], color: Color) -> Result<(), DrawError> {
+    pub(crate) fn mark(&mut self, point: Vector<3>, color: Color) {
         let hidden = self.solids.iter().any(|solid| hides(solid, point, self.view.eye));
         let paint = if hidden {
             Paint::both(Color::WHITE.with_opacity(0.75), Stroke::solid(color, 1.5))
@@ -108,71 +95,69 @@ impl Scene<'_> {
             Paint::both(color, Stroke::solid(Color::WHITE, 1.0))
         };
         let at = self.at(point);
-        self.figure.disc(at, if hidden { 3.6 } else { 4.4 }, &paint)
+        self.figure.disc(at, if hidden { 3.6 } else { 4.4 }, &paint);
     }
 
-    /// Outline, emphasised curve, and the thin net of each ellipsoid.
-    fn curves(&mut self, index: usize) -> Result<(), DrawError> {
+    /// Outline, emphasized curve, and the thin net of each ellipsoid.
+    fn curves(&mut self, index: usize) {
         let (solid, color) = (self.solids[index], self.colors[index]);
         for step in 0..6 {
             let ellipse = solid.meridian(f64::from(step) * PI / 6.0);
-            self.curve(&ellipse, color, 0.6)?;
+            self.curve(&ellipse, color, 0.6);
         }
         for height in [-0.8, -0.45, 0.45, 0.8] {
-            self.curve(&solid.latitude(height), color, 1.1)?;
+            self.curve(&solid.latitude(height), color, 1.1);
         }
         // Two twist ellipsoids share their equator.
-        let shared = self.space == EnergySpace::Twist && self.solids.len() == 2;
+        let shared = self.space == EnergySpace::Twist;
         let equator = if shared { Color::INK } else { color };
-        self.curve(&solid.latitude(0.0), equator, 2.0)?;
-        self.curve(&solid.silhouette(self.view.eye), color, 1.5)
+        self.curve(&solid.latitude(0.0), equator, 2.0);
+        self.curve(&solid.silhouette(self.view.eye), color, 1.5);
     }
 
-    fn curve(&mut self, ellipse: &SpaceEllipse, color: Color, width: f64) -> Result<(), DrawError> {
+    fn curve(&mut self, ellipse: &SpaceEllipse, color: Color, width: f64) {
         let arc = self.arc(ellipse);
         for run in runs(|t| ellipse.point(t), [0.0, TAU], self.solids, self.view.eye) {
             let stroke = if run.seen {
                 Stroke::solid(color, width)
-            } else if width < HIDDEN_WIDTH[self.solids.len()] {
+            } else if width < HIDDEN_WIDTH {
                 continue;
             } else {
                 Stroke::dotted(color.with_opacity(0.4), (0.7 * width).min(0.9))
             };
-            self.figure.arc(&arc.between(run.from, run.to), &Paint::stroke(stroke))?;
+            self.figure.arc(&arc.between(run.from, run.to), &Paint::stroke(stroke));
         }
-        Ok(())
     }
 
-    pub(crate) fn axis_tip(&self, axis: usize) -> [f64; 3] {
-        let mut tip = [0.0; 3];
+    pub(crate) fn axis_tip(&self, axis: usize) -> Vector<3> {
+        let mut tip = Vector::ZERO;
         tip[axis] =
             if axis == 2 { self.height + RISE } else { AXIS * self.floor[0].max(self.floor[1]) };
         tip
     }
 
     /// The coordinate axes: dotted where a solid hides them.
-    fn axes(&mut self) -> Result<(), DrawError> {
+    fn axes(&mut self) {
         for axis in 0..3 {
             let tip = self.axis_tip(axis);
-            let line = |t: f64| tip.map(|value| value * t);
+            let line = |t: f64| tip * t;
             let start = if axis == 2 { -self.height / tip[2] } else { 0.0 };
             let pieces = runs(line, [start, 1.0], self.solids, self.view.eye);
             for (i, run) in pieces.iter().enumerate() {
                 let (from, to) = (self.at(line(run.from)), self.at(line(run.to)));
                 if !run.seen {
                     let hidden = Stroke::dotted(Color::INK.with_opacity(0.5), 0.9);
-                    self.figure.polyline(&[from, to], hidden)?;
+                    self.figure.polyline(&[from, to], hidden);
                 } else if i + 1 == pieces.len() {
-                    self.figure.arrow(from, to, Stroke::solid(Color::INK, 1.3))?;
+                    self.figure.arrow(from, to, Stroke::solid(Color::INK, 1.3));
                 } else {
-                    self.figure.polyline(&[from, to], Stroke::solid(Color::INK, 1.3))?;
+                    self.figure.polyline(&[from, to], Stroke::solid(Color::INK, 1.3));
                 }
             }
         }
-        Ok(())
     }
 
-    fn axis_names(&mut self) -> Result<(), DrawError> {
+    fn axis_names(&mut self) {
         let names = match self.space {
             EnergySpace::Twist => ["v_{x}", "v_{y}", "ω"],
             EnergySpace::Wrench => ["f_{x}", "f_{y}", "τ"],
@@ -182,8 +167,7 @@ impl Scene<'_> {
             let run = [tip[0] - origin[0], tip[1] - origin[1]];
             let length = run[0].hypot(run[1]);
             let offset = [14.0 * run[0] / length, -14.0 * run[1] / length];
-            self.figure.text(tip, offset, &Text::new(name, LABEL_SIZE).with_halo())?;
+            self.figure.text(tip, offset, &Text::new(name, LABEL_SIZE).with_halo());
         }
-        Ok(())
     }
 }

@@ -5,27 +5,11 @@ use std::fmt;
 /// The input a [`DrawError`] is about.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 #[non_exhaustive]
-pub enum Place {
-    /// The world bounds, or the page size, of a figure.
-    Bounds,
-    /// A corner of a polygon.
-    Polygon,
-    /// A point of a polyline.
-    Polyline,
-    /// The center (0) or an axis (1, 2) or the angles (3) of an arc.
-    Arc,
-    /// The center of a disc.
-    Disc,
-    /// The tail (0) or tip (1) of an arrow.
-    Arrow,
-    /// The point a text stands at, or one whose page position was asked for.
-    Text,
-    /// A length in page units: a radius, a line width, a text size.
-    PageLength,
+pub enum Input {
+    /// The width (0) or height (1) of the whole picture, in world units.
+    Extent,
     /// A corner of the part's outline.
     Outline,
-    /// A corner of the hole with this index.
-    Hole(usize),
     /// The contact point of a finger.
     FingerPoint,
     /// The inward normal of a finger.
@@ -34,14 +18,10 @@ pub enum Place {
     FingerRadius,
     /// The center of compliance.
     Center,
-    /// The farthest vertex.
-    FarthestVertex,
-    /// The smallest enclosing circle: center (0), radius (1).
-    EnclosingCircle,
+    /// The farthest corner.
+    FarthestCorner,
     /// A corner of the shaded region with this index.
     Region(usize),
-    /// An end of the auxiliary line with this index.
-    AuxiliaryLine(usize),
     /// The point of a note.
     Note,
     /// The matrix of the upright ellipsoid; entries count row by row.
@@ -50,27 +30,17 @@ pub enum Place {
     Slanted,
 }
 
-impl fmt::Display for Place {
+impl fmt::Display for Input {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::Bounds => f.write_str("figure bounds"),
-            Self::Polygon => f.write_str("polygon"),
-            Self::Polyline => f.write_str("polyline"),
-            Self::Arc => f.write_str("arc"),
-            Self::Disc => f.write_str("disc"),
-            Self::Arrow => f.write_str("arrow"),
-            Self::Text => f.write_str("text"),
-            Self::PageLength => f.write_str("page length"),
+            Self::Extent => f.write_str("extent of the picture"),
             Self::Outline => f.write_str("outline"),
-            Self::Hole(hole) => write!(f, "hole {hole}"),
             Self::FingerPoint => f.write_str("finger point"),
             Self::FingerNormal => f.write_str("finger normal"),
             Self::FingerRadius => f.write_str("finger radius"),
             Self::Center => f.write_str("center of compliance"),
-            Self::FarthestVertex => f.write_str("farthest vertex"),
-            Self::EnclosingCircle => f.write_str("enclosing circle"),
+            Self::FarthestCorner => f.write_str("farthest corner"),
             Self::Region(region) => write!(f, "region {region}"),
-            Self::AuxiliaryLine(line) => write!(f, "auxiliary line {line}"),
             Self::Note => f.write_str("note"),
             Self::Upright => f.write_str("upright matrix"),
             Self::Slanted => f.write_str("slanted matrix"),
@@ -83,44 +53,42 @@ impl fmt::Display for Place {
 #[non_exhaustive]
 pub enum DrawError {
     /// A coordinate is NaN or infinite, or overflows when differences are formed.
-    #[error("{place}: entry {index} is {value}, which is not finite")]
+    #[error("{input}: entry {index} is {value}, which is not finite")]
     NotFinite {
         /// What the number belongs to.
-        place: Place,
+        input: Input,
         /// Which point, finger or matrix entry, from zero.
         index: usize,
         /// The number as given.
         value: f64,
     },
     /// A point lies so far from the figure's bounds that no page can show both.
-    #[error("{place}: entry {index} is {distance} page units away from the page")]
+    #[error("{input}: entry {index} is {distance} page units away from the page")]
     OffPage {
         /// What the point belongs to.
-        place: Place,
+        input: Input,
         /// Which point, from zero.
         index: usize,
         /// Its largest page coordinate.
         distance: f64,
     },
-    /// A polygon needs three corners, a polyline two points.
-    #[error("{place}: {found} points, but {needed} are needed")]
+    /// A polygon needs three corners.
+    #[error("{input}: {found} points, but {needed} are needed")]
     TooFewPoints {
         /// What the points belong to.
-        place: Place,
+        input: Input,
         /// How many there are.
         found: usize,
         /// How many are needed.
         needed: usize,
     },
-    /// A size, radius or width is negative, or zero where that shows nothing.
-    #[error("{place}: entry {index} is {value}, but a size is needed")]
-    NotASize {
-        /// What the size belongs to.
-        place: Place,
-        /// Which one, from zero.
-        index: usize,
-        /// The number as given.
-        value: f64,
+    /// The radius of a finger is negative.
+    #[error("the radius of finger {finger} is {radius}, which is negative")]
+    NegativeRadius {
+        /// The finger's index, from zero.
+        finger: usize,
+        /// Its radius.
+        radius: f64,
     },
     /// A finger's inward normal is not of unit length, to the accuracy of a drawing.
     #[error("the inward normal of finger {finger} has length {length} instead of 1")]
@@ -130,14 +98,14 @@ pub enum DrawError {
         /// The length of its normal.
         length: f64,
     },
-    /// A farthest vertex is given without the center it is farthest from.
-    #[error("a farthest vertex is given without a center of compliance")]
+    /// A farthest corner is given without the center it is farthest from.
+    #[error("a farthest corner is given without a center of compliance")]
     ReachWithoutCenter,
     /// The matrix of an energy is not symmetric, to the accuracy of a drawing.
-    #[error("{place}: entries ({row}, {column}) and ({column}, {row}) differ by {difference}")]
+    #[error("{input}: entries ({row}, {column}) and ({column}, {row}) differ by {difference}")]
     NotSymmetric {
         /// The upright or the slanted matrix.
-        place: Place,
+        input: Input,
         /// Row of the entry above the diagonal.
         row: usize,
         /// Column of the entry above the diagonal.
@@ -146,10 +114,10 @@ pub enum DrawError {
         difference: f64,
     },
     /// The energy is not positive definite, so its level set is not an ellipsoid.
-    #[error("{place}: not positive definite, pivot {pivot} is {value}")]
+    #[error("{input}: not positive definite, pivot {pivot} is {value}")]
     NotPositiveDefinite {
         /// The upright or the slanted matrix.
-        place: Place,
+        input: Input,
         /// Which pivot of the elimination, from zero.
         pivot: usize,
         /// Its value.
@@ -177,7 +145,8 @@ pub enum DrawError {
         /// The longest side allowed.
         limit: u32,
     },
-    /// The renderer refused text this crate wrote: a fault of this crate.
-    #[error("the renderer refused the picture")]
-    Render,
+    /// The picture has more elements than the renderer takes, which is a million; as SVG text
+    /// it has no such limit.
+    #[error("the picture has too many elements for a raster")]
+    TooManyElements,
 }

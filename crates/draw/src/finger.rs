@@ -1,10 +1,7 @@
 //! A finger that touches a part, and its shape on the page.
 
-use crate::error::{DrawError, Place};
-use crate::world_map::finite;
-
-/// How far a normal's length may be from 1: below what a picture shows.
-const UNIT_TOLERANCE: f64 = 1e-3;
+use crate::error::{DrawError, Input};
+use crate::world_map::{UNSEEN, finite};
 
 /// A finger, touching from outside.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -15,27 +12,26 @@ pub struct Finger {
     pub inward_normal: [f64; 2],
     /// The radius of a disc finger in world units; 0 for a pointed one.
     pub radius: f64,
-    /// Its name; see [`Text`](crate::Text) for scripts. Empty for none.
+    /// Its name; `_{…}` lowers and `^{…}` raises. Empty for none.
     pub label: String,
-    /// Its preload, shown after the name in grey. Empty for none.
+    /// Its preload, shown after the name in the same blue. Empty for none.
     pub preload: String,
 }
 
 impl Finger {
     pub(crate) fn check(&self, index: usize) -> Result<(), DrawError> {
         for value in self.point {
-            finite(value, Place::FingerPoint, index)?;
+            finite(value, Input::FingerPoint, index)?;
         }
         for value in self.inward_normal {
-            finite(value, Place::FingerNormal, index)?;
+            finite(value, Input::FingerNormal, index)?;
         }
-        finite(self.radius, Place::FingerRadius, index)?;
+        finite(self.radius, Input::FingerRadius, index)?;
         if self.radius < 0.0 {
-            let (place, value) = (Place::FingerRadius, self.radius);
-            return Err(DrawError::NotASize { place, index, value });
+            return Err(DrawError::NegativeRadius { finger: index, radius: self.radius });
         }
         let length = self.inward_normal[0].hypot(self.inward_normal[1]);
-        if (length - 1.0).abs() > UNIT_TOLERANCE {
+        if (length - 1.0).abs() > UNSEEN {
             return Err(DrawError::NormalNotUnit { finger: index, length });
         }
         Ok(())

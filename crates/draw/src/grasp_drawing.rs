@@ -30,7 +30,7 @@ const LARGEST_DISC: f64 = 0.4;
 /// outline is given as a polygon: in parts of the extent.
 const OWN_EDGE: f64 = 0.02;
 
-/// Half the angle of the arc through the farthest vertex, in radians.
+/// Half the angle of the arc through the farthest corner, in radians.
 const REACH_ARC: f64 = 0.24;
 
 /// A grasp picture in the making.
@@ -46,58 +46,39 @@ pub(crate) fn draw(picture: &GraspPicture) -> Result<Figure, DrawError> {
     let bounds = picture.bounds();
     let extent = (bounds[1][0] - bounds[0][0]).max(bounds[1][1] - bounds[0][1]);
     let figure = Figure::new(bounds, PLOT)?;
+    picture.check_on_page(figure.map())?;
     let mut drawing = Drawing { picture, figure, labels: Labels::default(), extent };
-    drawing.part()?;
-    drawing.auxiliary()?;
-    drawing.lines_of_action()?;
-    drawing.reach()?;
-    drawing.outline()?;
+    drawing.part();
+    drawing.lines_of_action();
+    drawing.reach();
+    drawing.outline();
     for finger in &picture.fingers {
-        drawing.finger(finger)?;
+        drawing.finger(finger);
     }
-    drawing.center_mark()?;
-    drawing.finger_labels()?;
-    drawing.corner_labels()?;
-    drawing.mark_labels()?;
-    drawing.caption()?;
-    drawing.title()?;
+    drawing.center_mark();
+    drawing.finger_labels();
+    drawing.avoid_fingers();
+    drawing.corner_labels();
+    drawing.mark_labels();
+    drawing.caption();
+    drawing.title();
     Ok(drawing.figure)
 }
 
 impl Drawing<'_> {
-    fn part(&mut self) -> Result<(), DrawError> {
+    fn part(&mut self) {
         let paint = Paint::fill(Color::PART);
         let picture = self.picture;
-        self.figure.polygon_with_holes(&picture.outline, &picture.holes, &paint)?;
+        self.figure.polygon(&picture.outline, &paint);
         for region in &picture.regions {
             let edge = Stroke::solid(region.color.with_opacity(0.5), 0.8);
             let paint = Paint::both(region.color.with_opacity(0.11), edge);
-            self.figure.polygon(&region.corners, &paint)?;
+            self.figure.polygon(&region.corners, &paint);
         }
-        Ok(())
-    }
-
-    fn auxiliary(&mut self) -> Result<(), DrawError> {
-        for &[from, to] in &self.picture.auxiliary_lines {
-            self.figure.polyline(&[from, to], Stroke::dashed(Color::GREY, 1.0))?;
-            self.avoid(from, to, Weight::Soft)?;
-        }
-        if let Some(circle) = self.picture.enclosing_circle {
-            let arc = EllipseArc::circle(circle.center, circle.radius);
-            self.figure.arc(&arc, &Paint::stroke(Stroke::solid(Color::PALE, 1.0)))?;
-            let arm = self.figure.world_length(5.0);
-            let [x, y] = circle.center;
-            let stroke = Stroke::solid(Color::GREY, 1.2);
-            self.figure.polyline(&[[x - arm, y - arm], [x + arm, y + arm]], stroke)?;
-            self.figure.polyline(&[[x - arm, y + arm], [x + arm, y - arm]], stroke)?;
-            let page = self.figure.to_page(circle.center)?;
-            self.labels.avoid_box(PageBox::centered(page, [12.0, 12.0]));
-        }
-        Ok(())
     }
 
     /// Thin lines along the normals, to where they leave the part or pass the center.
-    fn lines_of_action(&mut self) -> Result<(), DrawError> {
+    fn lines_of_action(&mut self) {
         for finger in &self.picture.fingers {
             let foot = self.picture.center.as_ref().map_or(0.0, |center| {
                 (0..2).map(|i| (center.point[i] - finger.point[i]) * finger.inward_normal[i]).sum()
@@ -106,10 +87,9 @@ impl Drawing<'_> {
             let length = self.exit(finger).max(foot + beyond);
             let end = finger.offset(length.max(self.figure.world_length(FORCE)), 0.0);
             let stroke = Stroke::solid(Color::BLUE.with_opacity(0.55), 0.9);
-            self.figure.polyline(&[finger.point, end], stroke)?;
-            self.avoid(finger.point, end, Weight::Soft)?;
+            self.figure.polyline(&[finger.point, end], stroke);
+            self.avoid(finger.point, end, Weight::Soft);
         }
-        Ok(())
     }
 
     /// How far along its normal a finger's line first leaves the part; 0 if it never enters.
@@ -130,49 +110,43 @@ impl Drawing<'_> {
         if first.is_finite() { first } else { 0.0 }
     }
 
-    fn reach(&mut self) -> Result<(), DrawError> {
-        let (Some(center), Some(vertex)) = (&self.picture.center, self.picture.farthest_vertex)
+    fn reach(&mut self) {
+        let (Some(center), Some(corner)) = (&self.picture.center, self.picture.farthest_corner)
         else {
-            return Ok(());
+            return;
         };
-        let run = [vertex[0] - center.point[0], vertex[1] - center.point[1]];
+        let run = [corner[0] - center.point[0], corner[1] - center.point[1]];
         let middle = run[1].atan2(run[0]);
         let stroke = Stroke::dashed(Color::ORANGE, 1.3);
         let arc = EllipseArc::circle(center.point, run[0].hypot(run[1]))
             .between(middle - REACH_ARC, middle + REACH_ARC);
-        self.figure.arc(&arc, &Paint::stroke(stroke))?;
-        self.figure.polyline(&[center.point, vertex], stroke)?;
-        self.avoid(center.point, vertex, Weight::Soft)?;
+        self.figure.arc(&arc, &Paint::stroke(stroke));
+        self.figure.polyline(&[center.point, corner], stroke);
+        self.avoid(center.point, corner, Weight::Soft);
         for i in 0..8 {
             let at = |i: f64| arc.point(middle + (i / 4.0 - 1.0) * REACH_ARC);
-            self.avoid(at(f64::from(i)), at(f64::from(i + 1)), Weight::Soft)?;
+            self.avoid(at(f64::from(i)), at(f64::from(i + 1)), Weight::Soft);
         }
-        Ok(())
     }
 
-    fn outline(&mut self) -> Result<(), DrawError> {
+    fn outline(&mut self) {
         let paint = Paint::stroke(Stroke::solid(Color::INK, 1.8));
         let picture = self.picture;
-        self.figure.polygon_with_holes(&picture.outline, &picture.holes, &paint)?;
-        for ring in std::iter::once(&picture.outline).chain(&picture.holes) {
-            let page: Vec<_> =
-                ring.iter().map(|&corner| self.figure.to_page(corner)).collect::<Result<_, _>>()?;
-            self.labels.avoid_ring(&page, Weight::Hard);
-        }
-        Ok(())
+        self.figure.polygon(&picture.outline, &paint);
+        let page = self.on_page(&picture.outline);
+        self.labels.avoid_ring(&page, Weight::Hard);
     }
 
-    fn finger(&mut self, finger: &Finger) -> Result<(), DrawError> {
+    fn finger(&mut self, finger: &Finger) {
         let rim = Stroke::solid(Color::INK, 1.2);
         let paint = Paint::both(Color::BLUE.lightened(0.72), rim);
         let shape = self.finger_shape(finger);
-        self.figure.polygon(&shape, &paint)?;
-        let page: Vec<_> =
-            shape.iter().map(|&corner| self.figure.to_page(corner)).collect::<Result<_, _>>()?;
+        self.figure.polygon(&shape, &paint);
+        let page = self.on_page(&shape);
         self.labels.avoid_ring(&page, Weight::Hard);
         let tip = finger.offset(self.figure.world_length(FORCE), 0.0);
-        self.figure.arrow(finger.point, tip, Stroke::solid(Color::BLUE, 1.6))?;
-        self.figure.disc(finger.point, 2.6, &Paint::fill(Color::INK))
+        self.figure.arrow(finger.point, tip, Stroke::solid(Color::BLUE, 1.6));
+        self.figure.disc(finger.point, 2.6, &Paint::fill(Color::INK));
     }
 
     /// A wedge, a disc, or for a disc that would dwarf the part a pad with its curvature.
@@ -182,7 +156,8 @@ impl Drawing<'_> {
             let [length, half] = WEDGE.map(page);
             return vec![finger.point, finger.offset(-length, half), finger.offset(-length, -half)];
         }
-        let half = if self.whole(finger) { PI } else { (page(PAD[1]) / finger.radius).asin() };
+        let half =
+            if self.whole(finger) { PI } else { (page(PAD[1]) / finger.radius).min(1.0).asin() };
         let mut shape: Vec<_> = (-DISC_STEPS..=DISC_STEPS)
             .map(|step| {
                 let (sin, cos) = (half * f64::from(step) / f64::from(DISC_STEPS)).sin_cos();
@@ -203,25 +178,38 @@ impl Drawing<'_> {
         finger.radius <= LARGEST_DISC * self.extent
     }
 
-    fn center_mark(&mut self) -> Result<(), DrawError> {
+    fn center_mark(&mut self) {
         for note in &self.picture.notes {
-            self.figure.disc(note.point, 2.4, &Paint::fill(Color::GREY))?;
+            self.figure.disc(note.point, 2.4, &Paint::fill(Color::GREY));
         }
         let Some(center) = &self.picture.center else {
-            return Ok(());
+            return;
         };
-        // A ring and a dot, told from contacts and vertices without colour.
+        // A ring and a dot, told from contacts and corners without color.
         let ring = Paint::both(Color::WHITE, Stroke::solid(Color::ORANGE, 1.8));
-        self.figure.disc(center.point, 6.0, &ring)?;
-        self.figure.disc(center.point, 2.2, &Paint::fill(Color::ORANGE))?;
-        let page = self.figure.to_page(center.point)?;
+        self.figure.disc(center.point, 6.0, &ring);
+        self.figure.disc(center.point, 2.2, &Paint::fill(Color::ORANGE));
+        let page = self.figure.to_page(center.point);
         self.labels.avoid_box(PageBox::centered(page, [15.0, 15.0]));
-        Ok(())
     }
 
-    fn avoid(&mut self, from: [f64; 2], to: [f64; 2], weight: Weight) -> Result<(), DrawError> {
-        let (from, to) = (self.figure.to_page(from)?, self.figure.to_page(to)?);
+    /// Keeps what is placed from now on off the fingers: not only off their rims.
+    fn avoid_fingers(&mut self) {
+        for finger in &self.picture.fingers {
+            let mut area = PageBox::EMPTY;
+            for corner in self.on_page(&self.finger_shape(finger)) {
+                area.include(corner, 0.0);
+            }
+            self.labels.avoid_box(area);
+        }
+    }
+
+    fn on_page(&self, points: &[[f64; 2]]) -> Vec<[f64; 2]> {
+        points.iter().map(|&point| self.figure.to_page(point)).collect()
+    }
+
+    fn avoid(&mut self, from: [f64; 2], to: [f64; 2], weight: Weight) {
+        let (from, to) = (self.figure.to_page(from), self.figure.to_page(to));
         self.labels.avoid_line(from, to, weight);
-        Ok(())
     }
 }

@@ -1,6 +1,5 @@
 //! The texts of a grasp picture.
 
-use crate::error::DrawError;
 use crate::grasp_drawing::{Drawing, PAD, WEDGE};
 use crate::grasp_picture::Mark;
 use crate::paint::Color;
@@ -13,7 +12,7 @@ const PADDING: f64 = 4.0;
 const WIDE: f64 = 1.7;
 
 impl Drawing<'_> {
-    pub(crate) fn finger_labels(&mut self) -> Result<(), DrawError> {
+    pub(crate) fn finger_labels(&mut self) {
         for finger in &self.picture.fingers {
             let shown = if finger.preload.is_empty() {
                 finger.label.clone()
@@ -30,7 +29,7 @@ impl Drawing<'_> {
                 let center = finger.offset(-finger.radius, 0.0);
                 let text = Text::new(shown.as_str(), LABEL_SIZE).colored(Color::BLUE);
                 if text.page_size()[0] < 1.7 * finger.radius * scale {
-                    self.figure.text(center, [0.0, 0.0], &text)?;
+                    self.figure.text(center, [0.0, 0.0], &text);
                     continue;
                 }
             }
@@ -39,56 +38,46 @@ impl Drawing<'_> {
                 (true, true) => 2.0 * finger.radius * scale,
                 (true, false) => PAD[0],
             };
-            self.label(finger.point, &shown, Color::BLUE, out, depth + 5.0)?;
+            self.label(finger.point, &shown, Color::BLUE, out, depth + 5.0);
         }
-        Ok(())
     }
 
-    pub(crate) fn corner_labels(&mut self) -> Result<(), DrawError> {
+    pub(crate) fn corner_labels(&mut self) {
         let outline = &self.picture.outline;
         for (corner, label) in (0..outline.len()).zip(&self.picture.corner_labels) {
             let out = outward(outline, corner);
-            self.label(outline[corner], label, Color::INK, [out[0], -out[1]], 5.0)?;
+            self.label(outline[corner], label, Color::INK, [out[0], -out[1]], 5.0);
         }
-        Ok(())
     }
 
-    pub(crate) fn mark_labels(&mut self) -> Result<(), DrawError> {
+    pub(crate) fn mark_labels(&mut self) {
         let down_right = [0.8, 0.6];
         if let Some(Mark { point, label }) = &self.picture.center {
-            self.label(*point, label, Color::ORANGE, down_right, 9.0)?;
+            self.label(*point, label, Color::ORANGE, down_right, 9.0);
         }
         for Mark { point, label } in &self.picture.notes {
-            self.label(*point, label, Color::GREY, down_right, 5.0)?;
+            self.label(*point, label, Color::GREY, down_right, 5.0);
         }
-        Ok(())
     }
 
-    fn label(
-        &mut self,
-        at: [f64; 2],
-        label: &str,
-        color: Color,
-        toward: [f64; 2],
-        gap: f64,
-    ) -> Result<(), DrawError> {
+    fn label(&mut self, at: [f64; 2], label: &str, color: Color, toward: [f64; 2], gap: f64) {
         if label.is_empty() {
-            return Ok(());
+            return;
         }
         let text = Text::new(label, LABEL_SIZE).colored(color).with_halo();
-        let page = self.figure.to_page(at)?;
+        let page = self.figure.to_page(at);
         let [width, height] = text.page_size();
         let center = self.labels.place([width + PADDING, height], page, toward, gap);
-        self.figure.caption(center, &text)
+        self.figure.caption(center, &text);
     }
 
     /// Beside what is drawn, or below it where that is wide; so it never covers anything.
-    pub(crate) fn caption(&mut self) -> Result<(), DrawError> {
+    pub(crate) fn caption(&mut self) {
         let ink = self.figure.ink();
         let [width, height] = ink.size();
         let lines = &self.picture.caption;
         let line = 1.55 * SMALL_SIZE;
-        let block = line * to_f64(lines.len().saturating_sub(1));
+        let block = line * lines.len().saturating_sub(1) as f64;
         let start = if width > WIDE * height {
             [ink.min[0], ink.max[1] + 1.8 * line]
         } else {
@@ -96,18 +85,17 @@ impl Drawing<'_> {
         };
         for (i, content) in lines.iter().enumerate() {
             let text = Text::new(content.as_str(), SMALL_SIZE).anchored(Anchor::Start);
-            self.figure.caption([start[0], start[1] + line * to_f64(i)], &text)?;
+            self.figure.caption([start[0], start[1] + line * i as f64], &text);
         }
-        Ok(())
     }
 
-    pub(crate) fn title(&mut self) -> Result<(), DrawError> {
+    pub(crate) fn title(&mut self) {
         let Some(title) = &self.picture.title else {
-            return Ok(());
+            return;
         };
         let ink = self.figure.ink();
         let text = Text::new(title.as_str(), TITLE_SIZE).anchored(Anchor::Start);
-        self.figure.caption([ink.min[0], ink.min[1] - 1.4 * TITLE_SIZE], &text)
+        self.figure.caption([ink.min[0], ink.min[1] - 1.4 * TITLE_SIZE], &text);
     }
 }
 
@@ -139,12 +127,7 @@ fn outward(ring: &[[f64; 2]], corner: usize) -> [f64; 2] {
     } else if into[0].hypot(into[1]) > 0.0 {
         into
     } else {
-        // Neighbouring corners coincide: every direction is as good.
+        // Neighboring corners coincide: every direction is as good.
         [0.0, 1.0]
     }
-}
-
-#[expect(clippy::cast_precision_loss, reason = "captions have fewer than 2^53 lines")]
-fn to_f64(count: usize) -> f64 {
-    count as f64
 }

@@ -1,27 +1,18 @@
 //! A planar part with the fingers that hold it.
 
-use crate::error::{DrawError, Place};
+use crate::error::{DrawError, Input};
 use crate::figure::Figure;
 use crate::finger::Finger;
 use crate::paint::Color;
-use crate::world_map::finite;
+use crate::world_map::{WorldMap, finite};
 
 /// A named point.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Mark {
     /// Where it is.
     pub point: [f64; 2],
-    /// What it is called; see [`Text`](crate::Text) for scripts. Empty for none.
+    /// What it is called; `_{…}` lowers and `^{…}` raises. Empty for none.
     pub label: String,
-}
-
-/// A circle in world units.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Circle {
-    /// Its center.
-    pub center: [f64; 2],
-    /// Its radius.
-    pub radius: f64,
 }
 
 /// A lightly filled polygon, such as a strip of concurrency points.
@@ -36,7 +27,7 @@ pub struct Region {
 /// A planar grasp as plain numbers, drawn by [`GraspPicture::figure`].
 ///
 /// Every field may be left empty but the outline. Nothing is computed from the fields: the
-/// center, the farthest vertex and all numbers of the caption come from the caller. Lengths
+/// center, the farthest corner and all numbers of the caption come from the caller. Lengths
 /// are in one world unit, of any size.
 ///
 /// ```
@@ -62,22 +53,16 @@ pub struct GraspPicture {
     pub title: Option<String>,
     /// The part's corners in order, three or more.
     pub outline: Vec<[f64; 2]>,
-    /// The part's holes.
-    pub holes: Vec<Vec<[f64; 2]>>,
     /// Names of the outline's corners, from the first on; may be fewer.
     pub corner_labels: Vec<String>,
     /// The fingers.
     pub fingers: Vec<Finger>,
     /// The center of compliance, or of concurrency.
     pub center: Option<Mark>,
-    /// The vertex farthest from the center: a dashed line leads there, with an arc.
-    pub farthest_vertex: Option<[f64; 2]>,
-    /// The smallest enclosing circle: a thin circle with a cross.
-    pub enclosing_circle: Option<Circle>,
+    /// The corner farthest from the center: a dashed line leads there, with an arc.
+    pub farthest_corner: Option<[f64; 2]>,
     /// Shaded polygons over the part and under everything else.
     pub regions: Vec<Region>,
-    /// Dashed lines.
-    pub auxiliary_lines: Vec<[[f64; 2]; 2]>,
     /// Further dots with names.
     pub notes: Vec<Mark>,
     /// Lines of text beside the part, or below one that is wide.
@@ -88,7 +73,7 @@ impl GraspPicture {
     /// Draws the picture.
     ///
     /// # Errors
-    /// [`DrawError::NotFinite`], [`DrawError::TooFewPoints`], [`DrawError::NotASize`],
+    /// [`DrawError::NotFinite`], [`DrawError::TooFewPoints`], [`DrawError::NegativeRadius`],
     /// [`DrawError::NormalNotUnit`] or [`DrawError::ReachWithoutCenter`] for what the fields
     /// hold, [`DrawError::OffPage`] for marks absurdly far from the part.
     pub fn figure(&self) -> Result<Figure, DrawError> {
@@ -108,62 +93,53 @@ impl GraspPicture {
         self.outline.iter().copied().for_each(&mut include);
         self.fingers.iter().map(|finger| finger.point).for_each(&mut include);
         self.center.iter().map(|mark| mark.point).for_each(&mut include);
-        if let Some(circle) = &self.enclosing_circle {
-            include(circle.center.map(|value| value - circle.radius));
-            include(circle.center.map(|value| value + circle.radius));
-        }
         bounds
     }
 
     fn check(&self) -> Result<(), DrawError> {
-        ring(&self.outline, Place::Outline)?;
-        for (index, hole) in self.holes.iter().enumerate() {
-            ring(hole, Place::Hole(index))?;
-        }
+        ring(&self.outline, Input::Outline)?;
         for (index, region) in self.regions.iter().enumerate() {
-            ring(&region.corners, Place::Region(index))?;
+            ring(&region.corners, Input::Region(index))?;
         }
         for (index, finger) in self.fingers.iter().enumerate() {
             finger.check(index)?;
         }
-        for (index, line) in self.auxiliary_lines.iter().enumerate() {
-            points(line, Place::AuxiliaryLine(index))?;
-        }
         for (index, note) in self.notes.iter().enumerate() {
-            point(note.point, Place::Note, index)?;
+            point(note.point, Input::Note, index)?;
         }
         if let Some(center) = &self.center {
-            point(center.point, Place::Center, 0)?;
+            point(center.point, Input::Center, 0)?;
         }
-        if let Some(vertex) = self.farthest_vertex {
-            point(vertex, Place::FarthestVertex, 0)?;
+        if let Some(corner) = self.farthest_corner {
+            point(corner, Input::FarthestCorner, 0)?;
             if self.center.is_none() {
                 return Err(DrawError::ReachWithoutCenter);
             }
         }
-        if let Some(circle) = &self.enclosing_circle {
-            point(circle.center, Place::EnclosingCircle, 0)?;
-            let value = finite(circle.radius, Place::EnclosingCircle, 1)?;
-            if value <= 0.0 {
-                let place = Place::EnclosingCircle;
-                return Err(DrawError::NotASize { place, index: 1, value });
-            }
-        }
         Ok(())
     }
-}
 
-fn ring(corners: &[[f64; 2]], place: Place) -> Result<(), DrawError> {
-    if corners.len() < 3 {
-        return Err(DrawError::TooFewPoints { place, found: corners.len(), needed: 3 });
+    /// Refuses what lies absurdly far from the box that the page was fitted to.
+    pub(crate) fn check_on_page(&self, map: &WorldMap) -> Result<(), DrawError> {
+        for (number, region) in self.regions.iter().enumerate() {
+            for (index, &corner) in region.corners.iter().enumerate() {
+                map.check(corner, Input::Region(number), index)?;
+            }
+        }
+        for (index, note) in self.notes.iter().enumerate() {
+            map.check(note.point, Input::Note, index)?;
+        }
+        self.farthest_corner.map_or(Ok(()), |at| map.check(at, Input::FarthestCorner, 0))
     }
-    points(corners, place)
 }
 
-fn points(points: &[[f64; 2]], place: Place) -> Result<(), DrawError> {
-    points.iter().enumerate().try_for_each(|(index, &at)| point(at, place, index))
+fn ring(corners: &[[f64; 2]], input: Input) -> Result<(), DrawError> {
+    if corners.len() < 3 {
+        return Err(DrawError::TooFewPoints { input, found: corners.len(), needed: 3 });
+    }
+    corners.iter().enumerate().try_for_each(|(index, &at)| point(at, input, index))
 }
 
-fn point(at: [f64; 2], place: Place, index: usize) -> Result<(), DrawError> {
-    at.into_iter().try_for_each(|value| finite(value, place, index).map(|_| ()))
+fn point(at: [f64; 2], input: Input, index: usize) -> Result<(), DrawError> {
+    at.into_iter().try_for_each(|value| finite(value, input, index).map(|_| ()))
 }

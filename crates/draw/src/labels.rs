@@ -60,7 +60,7 @@ impl Labels {
             let (sin, cos) = turn.to_radians().sin_cos();
             let way = [cos * toward[0] - sin * toward[1], sin * toward[0] + cos * toward[1]];
             for step in STEPS {
-                // The label's edge, not its centre, keeps the gap.
+                // The label's edge, not its center, keeps the gap.
                 let clear = gap + step + rim(size, way);
                 let center = [at[0] + clear * way[0], at[1] + clear * way[1]];
                 let cost =

@@ -4,7 +4,8 @@
 //! | --- | --- |
 //! | a planar part with its fingers, center of compliance and numbers | [`GraspPicture`] |
 //! | the energy ellipsoids of a planar grasp in two frames | [`EnergyEllipsoids`] |
-//! | anything else in the plane, to scale | [`Figure`] |
+//!
+//! Both give a [`Figure`].
 //!
 //! This crate computes no metric: every number it shows is given to it, and what it works out
 //! itself is where things stand on the page. It takes plain arrays, so it draws what any
@@ -49,11 +50,11 @@ mod energy_ellipsoids;
 mod energy_surface;
 
 mod energy_drawing;
-mod energy_frame;
 mod energy_scene;
-mod scene;
+mod energy_surroundings;
 mod solid_pieces;
 mod ticks;
+mod view;
 
 mod figure;
 #[cfg(feature = "png")]
@@ -68,15 +69,12 @@ mod error;
 mod number;
 mod world_map;
 
-pub use arc::EllipseArc;
-pub use energy_ellipsoids::{EnergyEllipsoids, Layout};
-pub use energy_surface::{EnergySpace, EnergySurface, SpaceEllipse};
-pub use error::{DrawError, Place};
+pub use energy_ellipsoids::EnergyEllipsoids;
+pub use energy_surface::EnergySpace;
+pub use error::{DrawError, Input};
 pub use figure::Figure;
 pub use finger::Finger;
-pub use grasp_picture::{Circle, GraspPicture, Mark, Region};
-pub use page_box::PageBox;
-pub use paint::{Color, Dash, Paint, Stroke};
+pub use grasp_picture::{GraspPicture, Mark, Region};
+pub use paint::Color;
 #[cfg(feature = "png")]
 pub use png::RASTER_LIMIT;
-pub use text::{Anchor, Text};

@@ -2,11 +2,11 @@
 
 /// An axis-parallel rectangle in page units; empty until something is put in.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct PageBox {
+pub(crate) struct PageBox {
     /// Left and top.
-    pub min: [f64; 2],
+    pub(crate) min: [f64; 2],
     /// Right and bottom.
-    pub max: [f64; 2],
+    pub(crate) max: [f64; 2],
 }
 
 impl PageBox {
@@ -22,8 +22,7 @@ impl PageBox {
     }
 
     /// Width and height; zero where empty.
-    #[must_use]
-    pub fn size(&self) -> [f64; 2] {
+    pub(crate) fn size(&self) -> [f64; 2] {
         [0, 1].map(|i| (self.max[i] - self.min[i]).max(0.0))
     }
 

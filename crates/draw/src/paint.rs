@@ -16,8 +16,6 @@ impl Color {
     pub const INK: Self = Self::new([0x1e, 0x22, 0x28]);
     /// Secondary lines and text.
     pub const GREY: Self = Self::new([0x6b, 0x72, 0x7c]);
-    /// Faint lines: floors, grids, hidden curves.
-    pub const PALE: Self = Self::new([0xb4, 0xba, 0xc2]);
     /// The inside of a part.
     pub const PART: Self = Self::new([0xe9, 0xed, 0xf2]);
     /// Paper.
@@ -36,16 +34,14 @@ impl Color {
     }
 
     /// The same color with this opacity; values outside 0 to 1, and NaN, go to the nearer end.
-    #[must_use]
     #[expect(clippy::manual_clamp, reason = "clamp would let NaN through")]
-    pub fn with_opacity(self, opacity: f64) -> Self {
+    pub(crate) fn with_opacity(self, opacity: f64) -> Self {
         Self { opacity: opacity.max(0.0).min(1.0), ..self }
     }
 
     /// The color moved towards white: 0 leaves it, 1 is white. The opacity stays.
-    #[must_use]
     #[expect(clippy::manual_clamp, reason = "clamp would let NaN through")]
-    pub fn lightened(self, share: f64) -> Self {
+    pub(crate) fn lightened(self, share: f64) -> Self {
         let share = share.max(0.0).min(1.0);
         #[expect(
             clippy::cast_possible_truncation,
@@ -69,7 +65,7 @@ impl Color {
 
 /// Whether a line is drawn through.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub enum Dash {
+pub(crate) enum Dash {
     /// A solid line.
     #[default]
     Solid,
@@ -81,31 +77,28 @@ pub enum Dash {
 
 /// How a line is drawn; widths are in page units.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Stroke {
+pub(crate) struct Stroke {
     /// Its color.
-    pub color: Color,
+    pub(crate) color: Color,
     /// Its width, in page units.
-    pub width: f64,
+    pub(crate) width: f64,
     /// Whether it is drawn through.
-    pub dash: Dash,
+    pub(crate) dash: Dash,
 }
 
 impl Stroke {
     /// A solid line.
-    #[must_use]
-    pub const fn solid(color: Color, width: f64) -> Self {
+    pub(crate) const fn solid(color: Color, width: f64) -> Self {
         Self { color, width, dash: Dash::Solid }
     }
 
     /// A dashed line.
-    #[must_use]
-    pub const fn dashed(color: Color, width: f64) -> Self {
+    pub(crate) const fn dashed(color: Color, width: f64) -> Self {
         Self { color, width, dash: Dash::Dashed }
     }
 
     /// A dotted line.
-    #[must_use]
-    pub const fn dotted(color: Color, width: f64) -> Self {
+    pub(crate) const fn dotted(color: Color, width: f64) -> Self {
         Self { color, width, dash: Dash::Dotted }
     }
 
@@ -122,29 +115,26 @@ impl Stroke {
 
 /// Fill and outline of a shape; either may be missing.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct Paint {
+pub(crate) struct Paint {
     /// The color inside.
-    pub fill: Option<Color>,
+    pub(crate) fill: Option<Color>,
     /// The line around.
-    pub stroke: Option<Stroke>,
+    pub(crate) stroke: Option<Stroke>,
 }
 
 impl Paint {
     /// A shape without an outline.
-    #[must_use]
-    pub const fn fill(color: Color) -> Self {
+    pub(crate) const fn fill(color: Color) -> Self {
         Self { fill: Some(color), stroke: None }
     }
 
     /// An outline only.
-    #[must_use]
-    pub const fn stroke(stroke: Stroke) -> Self {
+    pub(crate) const fn stroke(stroke: Stroke) -> Self {
         Self { fill: None, stroke: Some(stroke) }
     }
 
     /// A filled shape with an outline.
-    #[must_use]
-    pub const fn both(color: Color, stroke: Stroke) -> Self {
+    pub(crate) const fn both(color: Color, stroke: Stroke) -> Self {
         Self { fill: Some(color), stroke: Some(stroke) }
     }
 
@@ -156,5 +146,20 @@ impl Paint {
         if let Some(stroke) = self.stroke {
             stroke.write(svg);
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn opacity_and_lightening_stay_in_range() {
+        let blue = Color::BLUE;
+        let clear = blue.with_opacity(0.0);
+        assert_eq!([-1.0, f64::NAN].map(|share| blue.with_opacity(share)), [clear; 2]);
+        assert_eq!(blue.with_opacity(2.0), blue);
+        assert_eq!([-1.0, f64::NAN].map(|share| blue.lightened(share)), [blue; 2]);
+        assert_eq!(blue.lightened(2.0), Color::WHITE);
     }
 }

@@ -20,18 +20,16 @@ impl Figure {
     ///
     /// # Errors
     /// [`DrawError::RasterSize`] if a side would be below one pixel or above
-    /// [`RASTER_LIMIT`]. [`DrawError::Render`] would be a fault of this crate.
+    /// [`RASTER_LIMIT`], [`DrawError::TooManyElements`] for a picture of a million shapes.
     pub fn to_png(&self, scale: f64) -> Result<Vec<u8>, DrawError> {
         let [width, height] = self.raster_size(scale)?;
         let mut fonts = fontdb::Database::new();
         fonts.load_font_data(FONT.to_vec());
         let options = Options { fontdb: Arc::new(fonts), ..Options::default() };
-        let tree = Tree::from_str(&self.to_svg(), &options).map_err(|_| DrawError::Render)?;
-        let mut pixels = Pixmap::new(width, height).ok_or(DrawError::Render)?;
-        #[expect(clippy::cast_possible_truncation, reason = "the renderer counts in f32")]
-        let scale = scale as f32;
-        resvg::render(&tree, Transform::from_scale(scale, scale), &mut pixels.as_mut());
-        pixels.encode_png().map_err(|_| DrawError::Render)
+        let tree = Tree::from_str(&self.to_svg(), &options)
+            // The text is well-formed, so the only other thing to refuse is its length.
+            .map_err(|_| DrawError::TooManyElements)?;
+        Ok(raster(&tree, [width, height], scale))
     }
 
     fn raster_size(&self, scale: f64) -> Result<[u32; 2], DrawError> {
@@ -47,4 +45,14 @@ impl Figure {
         let sides = sides.map(|side| side as u32);
         Ok(sides)
     }
+}
+
+/// The PNG file of a page with this many pixels.
+#[expect(clippy::expect_used, reason = "sides were checked, and writing to memory does not fail")]
+fn raster(tree: &Tree, [width, height]: [u32; 2], scale: f64) -> Vec<u8> {
+    let mut pixels = Pixmap::new(width, height).expect("sides are within RASTER_LIMIT");
+    #[expect(clippy::cast_possible_truncation, reason = "the renderer counts in f32")]
+    let scale = scale as f32;
+    resvg::render(tree, Transform::from_scale(scale, scale), &mut pixels.as_mut());
+    pixels.encode_png().expect("a raster with pixels has a PNG")
 }

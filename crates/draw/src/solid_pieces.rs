@@ -6,21 +6,25 @@
 
 use std::f64::consts::TAU;
 
-use crate::energy_surface::{EnergySpace, EnergySurface, SpaceEllipse, cross, dot};
-use crate::scene::View;
+use clench_screw::Vector;
+use clench_screw::spatial::cross;
+
+use crate::energy_surface::{EnergySpace, EnergySurface, SpaceEllipse};
+use crate::view::{ON_SURFACE, View};
 
 /// Points on each curve that bounds a piece.
 const SAMPLES: u32 = 240;
 
-/// Below this share of the form itself, the difference of the two is rounding.
-const SAME_FORM: f64 = 1e-9;
+/// Below this share of the form itself, the difference of the two is rounding: the forms are
+/// rebuilt from the maps that also carry points onto the surfaces.
+const SAME_FORM: f64 = ON_SURFACE;
 
 /// The normals of the two planes in which the surfaces meet, on whose common positive side the
 /// first surface is the outer one; `None` where the surfaces coincide.
 pub(crate) fn meeting_planes(
     [first, second]: &[EnergySurface; 2],
     space: EnergySpace,
-) -> Option<[[f64; 3]; 2]> {
+) -> Option<[Vector<3>; 2]> {
     let (a, b) = (first.half_matrix(), second.half_matrix());
     // Outer is where the form is smaller, so first is outer where second - first > 0.
     let coupling = [b[0][2] - a[0][2], b[1][2] - a[1][2]];
@@ -30,30 +34,31 @@ pub(crate) fn meeting_planes(
     Some(match space {
         // z (2 d . x + e z)
         EnergySpace::Twist => {
-            [[0.0, 0.0, 1.0], [2.0 * coupling[0], 2.0 * coupling[1], b[2][2] - a[2][2]]]
+            let tilted = [2.0 * coupling[0], 2.0 * coupling[1], b[2][2] - a[2][2]];
+            [[0.0, 0.0, 1.0], tilted].map(Vector::new)
         }
         // k (g . f) (g . f - 2 z), with d = -k g
         EnergySpace::Wrench => {
             let slope = coupling.map(|value| -value / b[2][2]);
-            [[slope[0], slope[1], 0.0], [slope[0], slope[1], -2.0]]
+            [[slope[0], slope[1], 0.0], [slope[0], slope[1], -2.0]].map(Vector::new)
         }
     })
 }
 
 /// The curve in which a plane through the origin cuts a surface.
-pub(crate) fn section(surface: &EnergySurface, normal: [f64; 3]) -> SpaceEllipse {
+pub(crate) fn section(surface: &EnergySurface, normal: Vector<3>) -> SpaceEllipse {
     // Planes map to planes: n . (C y) = (C^T n) . y, and a silhouette is where u . y = 0.
-    let pulled = surface.columns().map(|column| dot(column, normal));
-    surface.silhouette(surface.point(pulled))
+    let pulled = surface.columns().map(|column| column.dot(normal));
+    surface.silhouette(surface.point(pulled.into()))
 }
 
 /// The projections of the four pieces, farthest first, each with the index of its surface.
 pub(crate) fn pieces(
     surfaces: &[EnergySurface; 2],
-    planes: [[f64; 3]; 2],
+    planes: [Vector<3>; 2],
     view: &View,
 ) -> Vec<(usize, Vec<[f64; 2]>)> {
-    let toward = planes.map(|normal| dot(normal, view.eye) >= 0.0);
+    let toward = planes.map(|normal| normal.dot(view.eye) >= 0.0);
     [[false, false], [false, true], [true, false], [true, true]]
         .into_iter()
         .map(|near| {
@@ -69,12 +74,12 @@ pub(crate) fn pieces(
 /// and what lies in the wedge of the silhouette and of the two meeting curves.
 fn piece(
     surface: &EnergySurface,
-    planes: [[f64; 3]; 2],
+    planes: [Vector<3>; 2],
     positive: [bool; 2],
     view: &View,
 ) -> Vec<[f64; 2]> {
-    let inside = |point: [f64; 3], skip: Option<usize>| {
-        (0..2).all(|i| Some(i) == skip || (dot(planes[i], point) >= 0.0) == positive[i])
+    let inside = |point: Vector<3>, skip: Option<usize>| {
+        (0..2).all(|i| Some(i) == skip || (planes[i].dot(point) >= 0.0) == positive[i])
     };
     let mut points = Vec::new();
     let curves = [
@@ -87,9 +92,8 @@ fn piece(
         points.extend(samples.filter(|&at| inside(at, own)).map(|at| view.project(at)));
     }
     let edge = surface.sphere_point(cross(planes[0], planes[1]));
-    let length = dot(edge, edge).sqrt();
     for side in [-1.0, 1.0] {
-        points.push(view.project(surface.point(edge.map(|value| side * value / length))));
+        points.push(view.project(surface.point(edge * (side / edge.norm()))));
     }
     points
 }
@@ -121,7 +125,10 @@ fn turns_left(ring: &[[f64; 2]], c: [f64; 2]) -> bool {
 mod tests {
     use super::*;
     use crate::energy_surface::EnergySpace::{Twist, Wrench};
-    use crate::error::Place;
+    use crate::error::Input;
+
+    /// Hundreds of operations on numbers from 0.1 to 10, some of which cancel a digit or two.
+    const ROUNDING: f64 = 4096.0 * f64::EPSILON;
 
     /// One energy in two frames: the second is sheared by what a shift of the origin does.
     fn pair(space: EnergySpace) -> [EnergySurface; 2] {
@@ -130,7 +137,7 @@ mod tests {
             Wrench => ([2.0, 3.0, 4.0], [[3.0, -2.0, 2.0], [-2.0, 7.0, -4.0], [2.0, -4.0, 4.0]]),
         };
         let diagonal = [0, 1, 2].map(|i| [0, 1, 2].map(|j| if i == j { upright[i] } else { 0.0 }));
-        [diagonal, slanted].map(|m| EnergySurface::new(m, space, Place::Upright).expect("definite"))
+        [diagonal, slanted].map(|m| EnergySurface::new(m, space, Input::Upright).expect("definite"))
     }
 
     #[test]
@@ -138,15 +145,14 @@ mod tests {
         for space in [Twist, Wrench] {
             let [first, second] = pair(space);
             let [p, q] = meeting_planes(&[first, second], space).expect("two frames");
-            let scale = |x: [f64; 3]| {
+            let scale = |x: Vector<3>| {
                 let (a, b) = (first.sphere_point(x), second.sphere_point(x));
-                (dot(b, b) - dot(a, a)) / (dot(p, x) * dot(q, x))
+                (b.dot(b) - a.dot(a)) / (p.dot(x) * q.dot(x))
             };
-            let reference = scale([1.0, 0.3, -0.6]);
+            let reference = scale([1.0, 0.3, -0.6].into());
             assert!(reference > 0.0);
             for x in [[0.2, -1.0, 0.4], [-0.5, -0.7, 1.1], [2.0, 0.1, 0.3]] {
-                // A dozen operations on numbers near 1.
-                assert!((scale(x) / reference - 1.0).abs() < 1e-12, "{space:?} {x:?}");
+                assert!((scale(x.into()) / reference - 1.0).abs() < ROUNDING, "{space:?} {x:?}");
             }
         }
     }
@@ -177,9 +183,9 @@ mod tests {
 
     /// How near to the eye the line of sight first meets a surface; NaN if it misses.
     fn depth(surface: &EnergySurface, page: [f64; 2], view: &View) -> f64 {
-        let foot = [0, 1, 2].map(|i| page[0] * view.right[i] + page[1] * view.up[i]);
+        let foot = view.right * page[0] + view.up * page[1];
         let (y, u) = (surface.sphere_point(foot), surface.sphere_point(view.eye));
-        let (a, b, c) = (dot(u, u), dot(y, u), dot(y, y) - 1.0);
+        let (a, b, c) = (u.dot(u), y.dot(u), y.dot(y) - 1.0);
         (-b + (b * b - a * c).sqrt()) / a
     }
 

@@ -20,14 +20,12 @@ const CAP_HEIGHT: f64 = 0.73;
 
 /// Which point of a text stands at its anchor point; vertically it is always the middle.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub enum Anchor {
+pub(crate) enum Anchor {
     /// The left end.
     Start,
     /// The middle.
     #[default]
     Middle,
-    /// The right end.
-    End,
 }
 
 /// One line of text.
@@ -35,23 +33,22 @@ pub enum Anchor {
 /// `_{…}` lowers and `^{…}` raises what is between the braces; anything else is shown as it
 /// is, so `a_b` and `<&>` are safe.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Text {
+pub(crate) struct Text {
     /// What to say.
-    pub content: String,
+    pub(crate) content: String,
     /// The size of the letters, in page units.
-    pub size: f64,
+    pub(crate) size: f64,
     /// The color.
-    pub color: Color,
+    pub(crate) color: Color,
     /// What stands at the anchor point.
-    pub anchor: Anchor,
+    pub(crate) anchor: Anchor,
     /// Whether a white border sets it off from lines it crosses.
-    pub halo: bool,
+    pub(crate) halo: bool,
 }
 
 impl Text {
-    /// Text in ink, centerd, without a halo.
-    #[must_use]
-    pub fn new(content: impl Into<String>, size: f64) -> Self {
+    /// Text in ink, centered, without a halo.
+    pub(crate) fn new(content: impl Into<String>, size: f64) -> Self {
         Self {
             content: content.into(),
             size,
@@ -62,26 +59,22 @@ impl Text {
     }
 
     /// The same text in another color.
-    #[must_use]
-    pub fn colored(self, color: Color) -> Self {
+    pub(crate) fn colored(self, color: Color) -> Self {
         Self { color, ..self }
     }
 
     /// The same text held at another point.
-    #[must_use]
-    pub fn anchored(self, anchor: Anchor) -> Self {
+    pub(crate) fn anchored(self, anchor: Anchor) -> Self {
         Self { anchor, ..self }
     }
 
     /// The same text with a white border.
-    #[must_use]
-    pub fn with_halo(self) -> Self {
+    pub(crate) fn with_halo(self) -> Self {
         Self { halo: true, ..self }
     }
 
     /// Width and height on the page, from rounded-up letter widths: an upper estimate.
-    #[must_use]
-    pub fn page_size(&self) -> [f64; 2] {
+    pub(crate) fn page_size(&self) -> [f64; 2] {
         let width: f64 = runs(&self.content)
             .into_iter()
             .map(|(script, run)| {
@@ -100,7 +93,6 @@ impl Text {
         match self.anchor {
             Anchor::Start => {}
             Anchor::Middle => svg.push_str(" text-anchor=\"middle\""),
-            Anchor::End => svg.push_str(" text-anchor=\"end\""),
         }
         self.color.write(svg, "fill");
         if self.halo {
@@ -206,6 +198,75 @@ fn escape(text: &str, svg: &mut String) {
             '\t' | '\n' | '\r' => svg.push(' '),
             '\u{0}'..='\u{1f}' | '\u{fffe}' | '\u{ffff}' => svg.push('\u{fffd}'),
             _ => svg.push(letter),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn written(text: &Text) -> String {
+        let mut svg = String::new();
+        text.write(&mut svg, [0.0, 0.0]);
+        svg
+    }
+
+    #[test]
+    fn markup_is_escaped_and_scripts_are_not_markup() {
+        let text = Text::new("<a> & \"b\" \u{1} x_{<i>} y^{2} z_{open", 10.0);
+        let svg = written(&text.with_halo());
+        assert!(svg.contains("&lt;a&gt; &amp; \"b\" \u{fffd} x<tspan"));
+        assert!(svg.contains(">&lt;i&gt;</tspan>"));
+        assert!(svg.contains(" z_{open"));
+    }
+
+    #[test]
+    fn a_script_moves_the_baseline_and_the_next_run_moves_it_back() {
+        // Down by 0.24 of the size, from there up to 0.36 above, and back.
+        let expected = "σ<tspan dy=\"2.4\" font-size=\"7.2\">min</tspan>\
+                        <tspan dy=\"-6\" font-size=\"7.2\">2</tspan><tspan dy=\"3.6\"> = 1</tspan>";
+        let svg = written(&Text::new("σ_{min}^{2} = 1", 10.0));
+        assert!(svg.contains(expected), "{svg}");
+    }
+
+    #[cfg(feature = "png")]
+    #[test]
+    fn texts_are_no_wider_than_estimated() {
+        use std::sync::Arc;
+
+        use resvg::usvg::{Node, Options, Tree, fontdb};
+
+        let mut fonts = fontdb::Database::new();
+        fonts.load_font_data(include_bytes!("../fonts/DejaVuSans.ttf").to_vec());
+        let options = Options { fontdb: Arc::new(fonts), ..Options::default() };
+        let alphabet: String = ('!'..='~').filter(|letter| !"<>&".contains(*letter)).collect();
+        for content in [
+            "MMMMwwww",
+            "0123456789",
+            "ill-fitted jigs",
+            "ω = −√(2/μ) = −0.152",
+            "σ_{min} = 1.684",
+            "frame at the center of compliance",
+            alphabet.as_str(),
+        ] {
+            let text = Text::new(content, 20.0);
+            let svg = format!(
+                "<svg xmlns=\"http://www.w3.org/2000/svg\"><g font-family=\"DejaVu Sans\">{}</g></svg>",
+                written(&text)
+            );
+            let tree = Tree::from_str(&svg, &options).expect("an SVG");
+            let mut width = 0.0;
+            let mut nodes: Vec<&Node> = tree.root().children().iter().collect();
+            while let Some(node) = nodes.pop() {
+                match node {
+                    Node::Group(group) => nodes.extend(group.children()),
+                    Node::Text(text) => width = f64::from(text.bounding_box().width()),
+                    _ => {}
+                }
+            }
+            let [estimate, _] = text.page_size();
+            assert!(width > 0.7 * estimate && width <= estimate, "{content}: {width} {estimate}");
         }
     }
 }

@@ -5,5 +5,4 @@ mod limits;
 mod paper;
 #[cfg(feature = "png")]
 mod png;
-mod surfaces;
 mod svg;

@@ -1,7 +1,7 @@
 //! The grasp of the paper's Figures 1 and 2.
 
-use clench_draw::{Circle, Color, EnergyEllipsoids, EnergySpace, Finger, GraspPicture};
-use clench_draw::{Mark, Region};
+use clench_draw::{Color, EnergyEllipsoids, EnergySpace, Finger, GraspPicture, Mark, Region};
+use clench_screw::Cholesky;
 
 pub(crate) const OUTLINE: [[f64; 2]; 4] = [[0.0, 0.0], [13.0, 0.0], [9.0, 8.0], [2.0, 6.0]];
 pub(crate) const CENTER: [f64; 2] = [80.0 / 13.0, 72.0 / 13.0];
@@ -31,13 +31,8 @@ pub(crate) fn stiffness(origin: [f64; 2]) -> [[f64; 3]; 3] {
     sum
 }
 
-pub(crate) fn inverse(m: [[f64; 3]; 3]) -> [[f64; 3]; 3] {
-    let cofactor = |i: usize, j: usize| {
-        let (a, b, c, d) = ((i + 1) % 3, (i + 2) % 3, (j + 1) % 3, (j + 2) % 3);
-        m[a][c] * m[b][d] - m[a][d] * m[b][c]
-    };
-    let det: f64 = (0..3).map(|j| m[0][j] * cofactor(0, j)).sum();
-    [0, 1, 2].map(|i| [0, 1, 2].map(|j| cofactor(j, i) / det))
+fn inverse(matrix: [[f64; 3]; 3]) -> [[f64; 3]; 3] {
+    *Cholesky::new(&matrix.into()).expect("four springs hold the part").inverse().rows()
 }
 
 pub(crate) fn ellipsoids(space: EnergySpace) -> EnergyEllipsoids {
@@ -55,7 +50,6 @@ pub(crate) fn grasp(unit: f64) -> GraspPicture {
     GraspPicture {
         title: Some("Four fingers".into()),
         outline: OUTLINE.map(scaled).to_vec(),
-        holes: vec![[[6.0, 2.0], [7.0, 2.0], [7.0, 3.0]].map(scaled).to_vec()],
         corner_labels: ["A", "B", "C", "D"].map(String::from).to_vec(),
         fingers: fingers
             .map(|(i, (point, inward_normal))| Finger {
@@ -68,13 +62,11 @@ pub(crate) fn grasp(unit: f64) -> GraspPicture {
             })
             .collect(),
         center: Some(Mark { point: scaled(CENTER), label: "c".into() }),
-        farthest_vertex: Some(scaled(OUTLINE[1])),
-        enclosing_circle: Some(Circle { center: scaled([6.5, 1.75]), radius: 6.7315 * unit }),
+        farthest_corner: Some(scaled(OUTLINE[1])),
         regions: vec![Region {
             corners: [[3.0, 1.0], [5.0, 1.0], [4.0, 4.0]].map(scaled).to_vec(),
             color: Color::GREEN,
         }],
-        auxiliary_lines: vec![[[1.0, 1.0], [12.0, 7.0]].map(scaled)],
         notes: vec![Mark { point: scaled([10.0, 1.0]), label: "note".into() }],
         caption: vec!["σ_{min} = 1.684".into(), "Q = 1.114".into()],
     }

@@ -96,10 +96,11 @@ fn check(family: &str, corners: &[[f64; 2]], stiffness: Vec<f64>, r: &mut Random
     assert!(sampled > 0, "{what}");
 }
 
+type Family = fn(&mut Random) -> Vec<[f64; 2]>;
+
 #[test]
 fn no_sample_beats_the_optimum_of_degenerate_parts() {
     let r = &mut Random::new(61);
-    type Family = fn(&mut Random) -> Vec<[f64; 2]>;
     let families: [(&str, Family); 5] = [
         ("rectangle", rectangle),
         ("regular", regular),

@@ -2,23 +2,60 @@
 
 use std::f64::consts::TAU;
 
-use clench_draw::{DrawError, EnergySpace, EnergySurface, SpaceEllipse};
+use super::*;
+use crate::energy_ellipsoids::EnergyEllipsoids;
 
-use crate::paper::{CENTER, ellipsoids, stiffness};
+/// The grasp of the paper's Figures 1 and 2.
+const OUTLINE: [[f64; 2]; 4] = [[0.0, 0.0], [13.0, 0.0], [9.0, 8.0], [2.0, 6.0]];
+const CENTER: [f64; 2] = [80.0 / 13.0, 72.0 / 13.0];
+
+/// Contacts and inward normals: on AB at A and at B, on BC at C, on DA at D.
+fn contacts() -> [([f64; 2], [f64; 2]); 4] {
+    let (s5, s10) = (5.0_f64.sqrt(), 10.0_f64.sqrt());
+    [
+        (OUTLINE[0], [0.0, 1.0]),
+        (OUTLINE[1], [0.0, 1.0]),
+        (OUTLINE[2], [-2.0 / s5, -1.0 / s5]),
+        (OUTLINE[3], [3.0 / s10, -1.0 / s10]),
+    ]
+}
+
+/// The first-order stiffness of unit springs about an origin.
+fn stiffness(origin: [f64; 2]) -> [[f64; 3]; 3] {
+    let mut sum = [[0.0; 3]; 3];
+    for (point, [x, y]) in contacts() {
+        let row = [x, y, (point[0] - origin[0]) * y - (point[1] - origin[1]) * x];
+        for i in 0..3 {
+            for j in 0..3 {
+                sum[i][j] += row[i] * row[j];
+            }
+        }
+    }
+    sum
+}
+
+fn ellipsoids(space: EnergySpace) -> EnergyEllipsoids {
+    let (upright, slanted) = (stiffness(CENTER), stiffness([0.0, 0.0]));
+    let compliance = |k: [[f64; 3]; 3]| {
+        *Cholesky::new(&k.into()).expect("four springs hold the part").inverse().rows()
+    };
+    match space {
+        EnergySpace::Twist => EnergyEllipsoids::new(space, upright, slanted),
+        EnergySpace::Wrench => {
+            EnergyEllipsoids::new(space, compliance(upright), compliance(slanted))
+        }
+    }
+}
 
 /// Entries of K are at most 250 and points at most 2: a quadratic form sums nine products of
 /// at most 500 that cancel to 2, each right to a few units of 1e-16 times the condition of K.
-const TOLERANCE: f64 = 1e-11;
+const TOLERANCE: f64 = 65536.0 * f64::EPSILON;
 
-fn times(matrix: [[f64; 3]; 3], x: [f64; 3]) -> [f64; 3] {
-    matrix.map(|row| dot(row, x))
+fn times(matrix: [[f64; 3]; 3], x: Vector<3>) -> Vector<3> {
+    Mat::new(matrix) * x
 }
 
-fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
-}
-
-fn points(curve: SpaceEllipse) -> impl Iterator<Item = [f64; 3]> {
+fn points(curve: SpaceEllipse) -> impl Iterator<Item = Vector<3>> {
     (0..36).map(move |i| curve.point(f64::from(i) * TAU / 36.0))
 }
 
@@ -30,17 +67,17 @@ fn every_curve_lies_on_its_quadric() -> Result<(), DrawError> {
         {
             let curves = [-1.0, -0.5, 0.0, 0.3, 1.0].map(|height| surface.latitude(height));
             let more = [0.0, 0.7, 2.0].map(|longitude| surface.meridian(longitude));
-            let sights = [[1.0, 0.0, 0.0], [0.0, 0.0, 1.0], [0.4, -0.7, 0.5]];
+            let sights = [[1.0, 0.0, 0.0], [0.0, 0.0, 1.0], [0.4, -0.7, 0.5]].map(Vector::new);
             let outlines = sights.map(|sight| surface.silhouette(sight));
             for point in curves.into_iter().chain(more).chain(outlines).flat_map(points) {
-                let form = dot(point, times(matrix, point));
+                let form = point.dot(times(matrix, point));
                 assert!((form - 2.0).abs() < TOLERANCE, "{form} in {space:?}");
             }
             for (sight, outline) in sights.into_iter().zip(outlines) {
                 for point in points(outline) {
                     // The line of sight is tangent: it is perpendicular to the gradient.
-                    let slope = dot(sight, times(matrix, point));
-                    let scale = dot(sight, times(matrix, sight)).sqrt();
+                    let slope = sight.dot(times(matrix, point));
+                    let scale = sight.dot(times(matrix, sight)).sqrt();
                     assert!(slope.abs() < TOLERANCE * scale, "{slope} in {space:?}");
                 }
             }
@@ -55,15 +92,13 @@ fn twist_sections_are_congruent_and_the_planes_bound_both() -> Result<(), DrawEr
     let [upright, slanted] = picture.surfaces()?;
     for height in [-0.8, 0.0, 0.45] {
         let (a, b) = (upright.latitude(height), slanted.latitude(height));
-        let shift = [0, 1, 2].map(|i| b.center[i] - a.center[i]);
+        let shift = b.center - a.center;
         assert!(shift[2].abs() < TOLERANCE);
         for (p, q) in points(a).zip(points(b)) {
-            for i in 0..3 {
-                assert!((p[i] + shift[i] - q[i]).abs() < TOLERANCE);
-            }
+            assert!((p + shift - q).max_abs() < TOLERANCE);
         }
     }
-    // About the centre of compliance, mu is the last entry of K.
+    // About the center of compliance, mu is the last entry of K.
     let top = (2.0 / stiffness(CENTER)[2][2]).sqrt();
     for (surface, matrix) in [(upright, picture.upright), (slanted, picture.slanted)] {
         assert!((surface.half_extents()[2] - top).abs() < TOLERANCE);
@@ -96,7 +131,7 @@ fn wrench_ellipsoids_share_a_cylinder_and_their_points_on_the_axis() -> Result<(
     }
     let top = (2.0 * stiffness(CENTER)[2][2]).sqrt();
     let on_axis = |surface: &EnergySurface| {
-        let [x, y, z] = surface.point([0.0, 0.0, 1.0]);
+        let [x, y, z] = surface.point(Vector::new([0.0, 0.0, 1.0])).to_array();
         x.hypot(y) < TOLERANCE && (z - top).abs() < TOLERANCE * top
     };
     assert!(on_axis(&upright) && on_axis(&slanted));

@@ -1,10 +1,15 @@
 //! Solids seen in parallel projection, and which parts of a curve they hide.
 
-use crate::arc::EllipseArc;
-use crate::energy_surface::{EnergySurface, SpaceEllipse, cross, dot};
+use clench_screw::Vector;
+use clench_screw::spatial::cross;
 
-/// Rounding of a point that lies on a surface, in units of the surface's size.
-const ON_SURFACE: f64 = 1e-9;
+use crate::arc::EllipseArc;
+use crate::energy_surface::{EnergySurface, SpaceEllipse};
+
+/// How far off the unit sphere the image of a point of the surface may be by rounding: some 2^5
+/// operations, each wrong by the condition of the map, which is below 2^17 for any ellipsoid
+/// that shows as more than a line.
+pub(crate) const ON_SURFACE: f64 = (1u32 << 22) as f64 * f64::EPSILON;
 
 /// Places at which a curve's visibility is sampled before the changes are bisected.
 const SAMPLES: u32 = 180;
@@ -13,10 +18,10 @@ const BISECTIONS: u32 = 30;
 /// A direction to look from, at the origin, with the third coordinate up.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct View {
-    pub(crate) right: [f64; 3],
-    pub(crate) up: [f64; 3],
+    pub(crate) right: Vector<3>,
+    pub(crate) up: Vector<3>,
     /// From the scene to the eye.
-    pub(crate) eye: [f64; 3],
+    pub(crate) eye: Vector<3>,
 }
 
 impl View {
@@ -24,13 +29,13 @@ impl View {
     pub(crate) fn from_angles(azimuth: f64, elevation: f64) -> Self {
         let (sin_a, cos_a) = azimuth.to_radians().sin_cos();
         let (sin_e, cos_e) = elevation.to_radians().sin_cos();
-        let right = [-sin_a, cos_a, 0.0];
-        let eye = [cos_e * cos_a, cos_e * sin_a, sin_e];
+        let right = Vector::new([-sin_a, cos_a, 0.0]);
+        let eye = Vector::new([cos_e * cos_a, cos_e * sin_a, sin_e]);
         Self { right, up: cross(eye, right), eye }
     }
 
-    pub(crate) fn project(&self, point: [f64; 3]) -> [f64; 2] {
-        [dot(self.right, point), dot(self.up, point)]
+    pub(crate) fn project(&self, point: Vector<3>) -> [f64; 2] {
+        [self.right.dot(point), self.up.dot(point)]
     }
 
     /// The projection of an ellipse is an ellipse with the projected half-diameters.
@@ -50,10 +55,10 @@ pub(crate) struct Run {
 
 /// Cuts a curve where solids begin or cease to hide it.
 pub(crate) fn runs(
-    curve: impl Fn(f64) -> [f64; 3],
+    curve: impl Fn(f64) -> Vector<3>,
     [from, to]: [f64; 2],
     solids: &[EnergySurface],
-    eye: [f64; 3],
+    eye: Vector<3>,
 ) -> Vec<Run> {
     let seen = |at: f64| !solids.iter().any(|solid| hides(solid, curve(at), eye));
     let mut runs = Vec::new();
@@ -86,10 +91,10 @@ fn bisect(seen: impl Fn(f64) -> bool, mut low: f64, mut high: f64, at_low: bool)
 
 /// Whether the solid lies between a point and the eye, or holds the point inside. The line
 /// of sight meets the unit sphere where `|y + t u|^2 = 1`.
-pub(crate) fn hides(solid: &EnergySurface, point: [f64; 3], eye: [f64; 3]) -> bool {
+pub(crate) fn hides(solid: &EnergySurface, point: Vector<3>, eye: Vector<3>) -> bool {
     let (y, u) = (solid.sphere_point(point), solid.sphere_point(eye));
-    let (along, length) = (dot(y, u), dot(u, u));
-    let outside = dot(y, y) - 1.0;
+    let (along, length) = (y.dot(u), u.norm_squared());
+    let outside = y.norm_squared() - 1.0;
     if outside < -ON_SURFACE {
         return true;
     }
