@@ -83,7 +83,9 @@ pub(crate) fn analyze(arguments: &AnalyzeArguments) -> Result<Answer, Failure> {
         order_chosen: arguments.order.is_none(),
         equilibrium,
         stability: grasp.stability(),
-        preloads: grasp.preloads(),
+        preloads: grasp
+            .preloads()
+            .map_err(|source| Failure::Preloads { name: document.name().to_owned(), source })?,
         metrics: Metrics::of(grasp, order, &part),
     };
     let report = AnalysisReport::new(&analysis);

@@ -3,7 +3,8 @@
 use std::num::NonZeroUsize;
 use std::path::PathBuf;
 
-use clap::{Args, Parser, Subcommand, ValueEnum};
+use clap::error::ErrorKind;
+use clap::{Args, CommandFactory, Parser, Subcommand, ValueEnum};
 use clench::screw::planar::Frame;
 
 const FILE: &str = "\
@@ -28,6 +29,9 @@ A grasp file has contacts besides:
 
 Corners, edges and contacts count from 0; edge e joins corner e to corner e + 1. A contact has to
 be on the outline up to 1e-6 of the part's radius. `-` reads standard input.
+
+Not checked: fingers may overlap each other or the part away from their contacts, and nothing says
+whether there is room for them. With four fingers the radius does not enter the optimum.
 
 Exit codes: 0 an answer; 1 bad input, nothing written; 2 wrong usage; 3 no answer, with the reason.
 
@@ -86,15 +90,16 @@ pub(crate) struct OptimizeArguments {
     pub(crate) fingers: Fingers,
     /// The sum of all contact forces. Three fingers need it: they resist rotation by it alone.
     /// With four, the report adds the quality to second order.
-    #[arg(long, value_name = "F", value_parser = positive, required_if_eq("fingers", "3"))]
+    #[arg(long, value_name = "F", value_parser = positive)]
     #[arg(allow_hyphen_values = true)]
     pub(crate) preload: Option<f64>,
-    /// The radius of the fingers' tips.
+    /// The radius of the fingers' tips. With four it does not change the optimum, only the quality
+    /// to second order.
     #[arg(long, value_name = "R", value_parser = not_negative, default_value = "0")]
     #[arg(allow_hyphen_values = true)]
     pub(crate) finger_radius: f64,
-    /// Report the best placements on this many combinations of edges.
-    #[arg(long, value_name = "T", default_value = "1")]
+    /// Report the best placements on this many combinations of edges: 1 or more.
+    #[arg(long, value_name = "T", value_parser = one_or_more, default_value = "1")]
     pub(crate) top: NonZeroUsize,
     #[command(flatten)]
     pub(crate) output: OutputArguments,
@@ -106,7 +111,7 @@ pub(crate) struct OutputArguments {
     /// The form of the report.
     #[arg(long, value_enum, default_value = "text")]
     pub(crate) format: Format,
-    /// Draw the grasp into this file.
+    /// Draw the grasp into this file, always in the frame of the input file.
     #[arg(long, value_name = "FILE")]
     pub(crate) svg: Option<PathBuf>,
 }
@@ -141,6 +146,22 @@ pub(crate) struct FrameArgument {
     pub(crate) angle: f64,
 }
 
+impl Arguments {
+    /// The command line; wrong usage ends the program, with code 2.
+    pub(crate) fn parse_checked() -> Self {
+        let arguments = Self::parse();
+        if let Command::Optimize(OptimizeArguments {
+            fingers: Fingers::Three, preload: None, ..
+        }) = &arguments.command
+        {
+            let message = "--fingers 3 needs --preload <F>, the sum of all contact forces: three \
+                           frictionless fingers resist rotation by their preload alone";
+            Self::command().error(ErrorKind::MissingRequiredArgument, message).exit();
+        }
+        arguments
+    }
+}
+
 impl FrameArgument {
     /// The frame of the file itself.
     pub(crate) const FILE: Self = Self { origin: [0.0; 2], angle: 0.0 };
@@ -167,6 +188,11 @@ fn positive(text: &str) -> Result<f64, String> {
 fn not_negative(text: &str) -> Result<f64, String> {
     let value = finite(text)?;
     if value >= 0.0 { Ok(value) } else { Err(format!("found {value}, expected 0 or more")) }
+}
+
+fn one_or_more(text: &str) -> Result<NonZeroUsize, String> {
+    let count: Option<usize> = text.trim().parse().ok();
+    count.and_then(NonZeroUsize::new).ok_or_else(|| format!("found {text}, expected 1 or more"))
 }
 
 fn finite(text: &str) -> Result<f64, String> {

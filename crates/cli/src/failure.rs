@@ -3,6 +3,7 @@
 use std::io;
 
 use clench::optimize::OptimizeError;
+use clench::stiffness::GraspError;
 use clench_draw::DrawError;
 use miette::Diagnostic;
 
@@ -40,9 +41,9 @@ pub(crate) enum Failure {
     /// Numbers that the search cannot work with.
     #[error("{name}: {source}")]
     Search { name: String, source: OptimizeError },
-    /// A search that ended well without a placement: its documentation rules that out.
-    #[error("{name}: the search ended without a placement")]
-    NoSolution { name: String },
+    /// A question about the preloads that was not decided.
+    #[error("{name}: {source}")]
+    Preloads { name: String, source: GraspError },
     /// A result out of the range of the numbers.
     #[error("{name}: {source}; choose units in which lengths and forces are nearer to 1")]
     Range { name: String, source: OutOfRange },

@@ -15,12 +15,12 @@ mod report;
 
 mod output;
 mod progress;
+mod wording;
 
 use std::io::{self, IsTerminal, Write};
 use std::path::Path;
 use std::process::ExitCode;
 
-use clap::Parser;
 use miette::{GraphicalReportHandler, GraphicalTheme};
 
 use crate::answer::Answer;
@@ -34,8 +34,7 @@ const BAD_INPUT: u8 = 1;
 const NO_ANSWER: u8 = 3;
 
 fn main() -> ExitCode {
-    // Wrong usage ends here, with code 2.
-    let arguments = Arguments::parse();
+    let arguments = Arguments::parse_checked();
     let answer = match &arguments.command {
         Command::Analyze(a) => finish(analyze::analyze(a), &a.grasp, &a.output),
         Command::Optimize(a) => finish(optimize::optimize(a), &a.part, &a.output),

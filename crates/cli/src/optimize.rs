@@ -1,10 +1,9 @@
 //! `clench optimize`: where the fingers go.
 
 use clench::contact::{Contact, ContactError, Law, Order};
-use clench::metrics::{MetricsError, Principal, Quality, WorstPoint};
+use clench::metrics::{MetricsError, Quality, WorstPoint};
 use clench::optimize::polygon::{FourFingers, Part, ThreeFingers, four_fingers, three_fingers};
 use clench::optimize::{OptimizeError, Outcome, Solution};
-use clench::screw::Mat;
 use clench::stiffness::{Grasp, GraspError};
 
 use crate::analyze::Metrics;
@@ -47,18 +46,17 @@ pub(crate) fn optimize(arguments: &OptimizeArguments) -> Result<Answer, Failure>
     let question = question(arguments, &file);
     let outcome = match search(&part, arguments) {
         Ok(outcome) => outcome,
-        Err(e @ OptimizeError::NoPlacement { .. }) => {
-            return unanswered(arguments, &question, &part, &e);
-        }
+        Err(
+            e @ (OptimizeError::NormalsNeverBalance { .. }
+            | OptimizeError::TorquesNeverBalance { .. }),
+        ) => return unanswered(arguments, &question, &part, &e),
         Err(source) => return Err(Failure::Search { name: document.name().to_owned(), source }),
     };
-    let solutions = outcome.solutions.iter();
-    let found: Result<Vec<_>, _> = solutions.map(|s| examine(&part, s, arguments)).collect();
-    let found =
-        found.map_err(|source| Failure::Range { name: document.name().to_owned(), source })?;
-    let Some(report) = OptimumReport::new(&question, &part, &outcome, &found) else {
-        return Err(Failure::NoSolution { name: document.name().to_owned() });
-    };
+    let range = |source| Failure::Range { name: document.name().to_owned(), source };
+    let best = examine(&part, &outcome.best, arguments).map_err(range)?;
+    let others = outcome.others.iter().map(|other| examine(&part, other, arguments));
+    let others = others.collect::<Result<Vec<_>, _>>().map_err(range)?;
+    let report = OptimumReport::new(&question, &part, &outcome, (&best, &others));
     let text = match arguments.output.format {
         Format::Text => {
             OptimumText { name: document.name(), part: &part, report: &report }.to_string()
@@ -86,6 +84,7 @@ fn question<'a>(arguments: &OptimizeArguments, file: &'a schema::File) -> Questi
 
 fn search(part: &Part, arguments: &OptimizeArguments) -> Result<Outcome, OptimizeError> {
     let top = arguments.top;
+    let mut line = ProgressLine::start();
     match arguments.fingers {
         Fingers::Three => {
             let options = ThreeFingers {
@@ -93,12 +92,9 @@ fn search(part: &Part, arguments: &OptimizeArguments) -> Result<Outcome, Optimiz
                 finger_radius: arguments.finger_radius,
                 top,
             };
-            three_fingers(part, &options)
+            three_fingers(part, &options, |progress| line.watch(progress))
         }
-        Fingers::Four => {
-            let mut line = ProgressLine::start();
-            four_fingers(part, &FourFingers { top }, |progress| line.watch(progress))
-        }
+        Fingers::Four => four_fingers(part, &FourFingers { top }, |progress| line.watch(progress)),
     }
 }
 
@@ -130,24 +126,9 @@ fn examine<'a>(
         Contact::new(p.point, p.inward_normal, arguments.finger_radius, law, preload)
     });
     let grasp = Grasp::new(contacts.collect::<Result<_, _>>()?)?;
-    let worst = worst_as_optimized(part, solution, &grasp)?;
+    let worst = WorstPoint::of(&solution.principal, part.outline())?;
     let second_order = arguments
         .preload
         .map(|_| Metrics::of(&grasp, Order::Second, part).map(|metrics| metrics.quality));
     Ok(Found { solution, worst, second_order })
-}
-
-/// The worst point by the stiffness that was optimized: about the center of compliance the
-/// translational one of the contacts, and the rotational one that the search reports.
-fn worst_as_optimized(
-    part: &Part,
-    solution: &Solution,
-    grasp: &Grasp<2, 1>,
-) -> Result<WorstPoint, MetricsError> {
-    let Quality { equivalent, reach, .. } = solution.quality;
-    let mut stiffness = grasp.stiffness(solution.center, Order::First);
-    stiffness.coupling = Mat::ZERO;
-    stiffness.rotational = Mat::new([[equivalent * reach.distance * reach.distance]]);
-    let principal = Principal::of(solution.center, &stiffness)?;
-    WorstPoint::of(&principal, part.outline())
 }

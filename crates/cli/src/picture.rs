@@ -4,7 +4,7 @@ use clench::optimize::polygon::Part;
 use clench_draw::{Finger, GraspPicture, Mark};
 
 use crate::analyze::Analysis;
-use crate::report::{OptimumReport, UnitNames, spot};
+use crate::report::{LimitWord, OptimumReport, UnitNames, spot};
 
 /// Outlines with more corners, such as flattened arcs, are drawn without their numbers.
 const NUMBERED_CORNERS: usize = 40;
@@ -30,9 +30,7 @@ pub(crate) fn of_optimum(report: &OptimumReport<'_>, part: &Part) -> GraspPictur
         inward_normal: contact.inward_normal,
         radius: question.finger_radius,
         label: finger_name(i),
-        preload: question
-            .total_preload
-            .map_or(String::new(), |_| units.force(rounded(contact.preload))),
+        preload: question.total_preload.map_or(String::new(), |_| units.force(contact.preload)),
     });
     let numbers = Numbers {
         quality: best.quality,
@@ -58,11 +56,11 @@ pub(crate) fn of_analysis(analysis: &Analysis<'_>) -> GraspPicture {
     let contacts = analysis.grasp.contacts();
     let fingers = contacts.iter().enumerate().map(|(i, contact)| Finger {
         point: contact.overlap().point().to_array(),
-        inward_normal: contact.overlap().normal().to_array(),
+        inward_normal: contact.overlap().inward_normal().to_array(),
         radius: contact.overlap().finger_radius(),
         label: finger_name(i),
         preload: if contact.preload() > 0.0 {
-            units.force(rounded(contact.preload()))
+            units.force(contact.preload())
         } else {
             String::new()
         },
@@ -72,7 +70,7 @@ pub(crate) fn of_analysis(analysis: &Analysis<'_>) -> GraspPicture {
         let quality = metrics.quality;
         let numbers = Numbers {
             quality: quality.value,
-            limited_by: crate::report::limit(quality.limited_by),
+            limited_by: quality.limited_by.into(),
             sigma_min: quality.translational,
             mu_eq: quality.equivalent,
             center: metrics.principal.center().to_array(),
@@ -95,7 +93,7 @@ pub(crate) fn of_analysis(analysis: &Analysis<'_>) -> GraspPicture {
 /// The numbers beside a picture.
 struct Numbers {
     quality: f64,
-    limited_by: &'static str,
+    limited_by: LimitWord,
     sigma_min: f64,
     mu_eq: f64,
     center: [f64; 2],
@@ -106,19 +104,19 @@ struct Numbers {
 
 impl Numbers {
     fn drawn_on(&self, picture: GraspPicture, part: &Part, units: UnitNames<'_>) -> GraspPicture {
-        let stiffness = |value: f64| units.stiffness(rounded(value));
+        let stiffness = |value: f64| units.stiffness(value);
         let caption = vec![
             format!("Q = {}", stiffness(self.quality)),
             format!("limited by {}", self.limited_by),
             String::new(),
             format!("σ_{{min}} = {}", stiffness(self.sigma_min)),
             format!("μ_{{eq}} = {}", stiffness(self.mu_eq)),
-            format!("ρ_{{max}} = {}, to corner {}", units.length(rounded(self.reach)), self.corner),
+            format!("ρ_{{max}} = {}, to corner {}", units.length(self.reach), self.corner),
             format!("Q_{{pt}} = {}", stiffness(self.worst_point_stiffness)),
         ];
         GraspPicture {
             center: Some(Mark { point: self.center, label: "c".to_owned() }),
-            farthest_vertex: Some(part.outline().corners()[self.corner].to_array()),
+            farthest_corner: Some(part.outline().corners()[self.corner].to_array()),
             caption,
             ..picture
         }
@@ -134,7 +132,7 @@ fn placed(
     let size = part.outline().enclosing_circle().radius;
     let length = &units.0.length;
     let line = |(i, (edge, point)): (usize, (usize, [f64; 2]))| {
-        let at = spot(point.map(|v| rounded_beside(v, size)), size);
+        let at = spot(point, size);
         format!("{} at {at} {length}, edge {edge}", finger_name(i))
     };
     contacts.enumerate().map(line).collect()
@@ -143,16 +141,4 @@ fn placed(
 /// Fingers have letters, so that their numbers are not taken for those of corners.
 fn finger_name(finger: usize) -> String {
     format!("F{finger}")
-}
-
-/// As many digits as a picture needs: four.
-fn rounded(value: f64) -> f64 {
-    format!("{value:.3e}").parse().unwrap_or(value)
-}
-
-/// A coordinate to four digits of the part's size.
-fn rounded_beside(value: f64, size: f64) -> f64 {
-    let step = 10.0_f64.powf(size.log10().floor() - 3.0);
-    let steps = (value / step).round();
-    format!("{:.9e}", steps * step).parse().unwrap_or(value)
 }

@@ -252,7 +252,8 @@ mod tests {
         ] {
             let text = Text::new(content, 20.0);
             let svg = format!(
-                "<svg xmlns=\"http://www.w3.org/2000/svg\"><g font-family=\"DejaVu Sans\">{}</g></svg>",
+                "<svg xmlns=\"http://www.w3.org/2000/svg\">\
+                 <g font-family=\"DejaVu Sans\">{}</g></svg>",
                 written(&text)
             );
             let tree = Tree::from_str(&svg, &options).expect("an SVG");

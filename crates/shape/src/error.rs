@@ -9,7 +9,7 @@ use crate::{LARGEST_COORDINATE, SMALLEST_COORDINATE};
 #[non_exhaustive]
 pub enum PolygonError {
     /// There are too few corners to enclose anything.
-    #[error("outline has {count} corners, but at least 3 are needed")]
+    #[error("found {count} corners, but an outline needs at least 3")]
     TooFewCorners {
         /// The number of corners given.
         count: usize,

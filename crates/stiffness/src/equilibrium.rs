@@ -9,7 +9,7 @@ use crate::Grasp;
 ///
 /// A residual `e` makes the stiffness depend on the frame by about `e` relative to force times
 /// length, so half the digits of a second-order result are then still true in every frame.
-const BALANCED: f64 = 1.490_116_119_384_765_6e-8;
+pub const BALANCED: f64 = 1.490_116_119_384_765_6e-8;
 
 /// The sum of the contact forces, and whether it is zero.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -38,7 +38,7 @@ mod stability;
 
 mod error;
 
-pub use equilibrium::Equilibrium;
+pub use equilibrium::{BALANCED, Equilibrium};
 pub use error::GraspError;
 pub use grasp::Grasp;
 pub use preloads::{BestPreload, Preloads};

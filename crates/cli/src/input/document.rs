@@ -10,10 +10,9 @@ use super::fault::{Fault, InputError, Located};
 use super::node::Node;
 use super::place::Place;
 use super::reader::Reader;
-use super::schema::{File, VERSION};
+use super::schema::{self, File, VERSION};
 use super::{json_tree, toml_tree};
 use crate::failure::Failure;
-use crate::report::RESULT_FIELDS;
 
 /// The name that stands for standard input.
 const STANDARD_INPUT: &str = "-";
@@ -39,9 +38,9 @@ impl Document {
             Language::Json => json_tree::parse(&text),
         };
         let root = parsed.map_err(|Located { span, fault }| {
-            InputError::new(&name, &text, &Place::default(), span, fault)
+            InputError::new(&name, &text, &Place::default(), &span, fault)
         })?;
-        let document = Self { name, text, root: root.without(&RESULT_FIELDS) };
+        let document = Self { name, text, root: schema::without_results(root) };
         let file = document.checked()?;
         Ok((document, file))
     }
@@ -53,14 +52,20 @@ impl Document {
 
     /// The error that the value at `place` has a fault.
     pub(crate) fn error(&self, place: &Place, fault: Fault) -> Failure {
-        let span = self.root.span_of(place);
-        InputError::new(&self.name, &self.text, place, span, fault).into()
+        let (span, exists) = self.root.span_of(place);
+        let error = InputError::new(&self.name, &self.text, place, &span, fault);
+        if exists { error.into() } else { error.without_excerpt().into() }
     }
 
     fn checked(&self) -> Result<File, Failure> {
         let file = File::deserialize(Reader(&self.root)).map_err(|mismatch| {
-            let (message, place, span) = mismatch.into_parts(&self.root);
-            InputError::new(&self.name, &self.text, &place, span, Fault::Schema { message })
+            let (message, place, span) = mismatch.into_parts();
+            let whole = span.is_none();
+            let span = span.unwrap_or_else(|| self.root.span.clone());
+            let fault = Fault::Schema { message, help: schema::help(&place) };
+            let error = InputError::new(&self.name, &self.text, &place, &span, fault);
+            // What is missing at the top of a file is at none of its lines.
+            if whole { error.without_excerpt() } else { error }
         })?;
         match file.version {
             Some(version) if version.0 != VERSION => {

@@ -6,10 +6,12 @@ use clench::contact::ContactError;
 use clench::optimize::OptimizeError;
 use clench::shape::PolygonError;
 use clench::stiffness::GraspError;
-use miette::{Diagnostic, NamedSource, SourceSpan};
+use miette::Diagnostic;
 
+use super::excerpt::Excerpt;
 use super::place::Place;
 use super::schema::VERSION;
+use crate::wording::{counted, digits};
 
 /// A fault of the text, before there are any fields to name.
 #[derive(Debug)]
@@ -26,8 +28,8 @@ pub(crate) struct InputError {
     at: String,
     #[source]
     fault: Fault,
-    text: NamedSource<String>,
-    span: SourceSpan,
+    /// Nothing to show where something is missing.
+    excerpt: Option<Excerpt>,
 }
 
 impl InputError {
@@ -36,25 +38,22 @@ impl InputError {
         name: &str,
         text: &str,
         place: &Place,
-        span: Range<usize>,
+        span: &Range<usize>,
         fault: Fault,
     ) -> Self {
-        let before = text.get(..span.start).unwrap_or(text);
-        let line = before.matches('\n').count() + 1;
-        let column = before.chars().rev().take_while(|&c| c != '\n').count() + 1;
+        let excerpt = Excerpt::new(name, text, span);
+        let (line, column) = excerpt.line_and_column();
         let at = if place.steps().is_empty() {
             format!("{name}:{line}:{column}")
         } else {
             format!("{name}:{line}:{column}: {place}")
         };
-        // A table of many lines is shown by its first.
-        let shown = text.get(span.clone()).and_then(|s| s.lines().next()).unwrap_or("").len();
-        Self {
-            at,
-            fault,
-            text: NamedSource::new(name, text.to_owned()),
-            span: (span.start, shown).into(),
-        }
+        Self { at, fault, excerpt: Some(excerpt) }
+    }
+
+    /// The same error, without the text around it: what it is about is not in the file.
+    pub(super) fn without_excerpt(self) -> Self {
+        Self { excerpt: None, ..self }
     }
 }
 
@@ -64,11 +63,12 @@ impl Diagnostic for InputError {
     }
 
     fn source_code(&self) -> Option<&dyn miette::SourceCode> {
-        Some(&self.text)
+        self.excerpt.as_ref().map(|excerpt| excerpt as &dyn miette::SourceCode)
     }
 
     fn labels(&self) -> Option<Box<dyn Iterator<Item = miette::LabeledSpan> + '_>> {
-        let label = miette::LabeledSpan::new_with_span(Some("here".to_owned()), self.span);
+        let span = self.excerpt.as_ref()?.fault();
+        let label = miette::LabeledSpan::new_with_span(Some("here".to_owned()), span);
         Some(Box::new(std::iter::once(label)))
     }
 }
@@ -90,7 +90,7 @@ pub(crate) enum Fault {
     TooDeep { deepest: usize },
     /// The text is fine, but not what the schema asks for.
     #[error("{message}")]
-    Schema { message: String },
+    Schema { message: String, help: Option<&'static str> },
     /// The schema of another version.
     #[error("found schema version {found}, expected {VERSION}")]
     Version { found: u64 },
@@ -103,6 +103,9 @@ pub(crate) enum Fault {
     /// A grasp without contacts.
     #[error("found no contacts, expected at least one [[contacts]]")]
     NoContacts,
+    /// Too few points for an outline.
+    #[error("found {}, expected at least 3", counted(*.count, "corner"))]
+    TooFewCorners { count: usize },
     /// The outline is not valid.
     #[error(transparent)]
     Outline(PolygonError),
@@ -120,14 +123,16 @@ pub(crate) enum Fault {
     NoSuchEdge { found: u64, last: usize },
     /// A contact floats beside the part, or lies within it.
     #[error(
-        "contact {contact} is off the boundary: found it {distance} {unit} away from edge {edge}, \
-         the nearest, expected at most {allowed:e} {unit}"
+        "contact {contact} is off the boundary: found it {} {unit} away from edge {edge}, \
+         the nearest, expected at most {allowed:.1e} {unit}",
+        digits(*.distance)
     )]
     OffBoundary { contact: usize, distance: f64, edge: usize, allowed: f64, unit: String },
     /// A contact is on another edge than it says.
     #[error(
-        "contact {contact} is not on edge {edge}: found it {distance} {unit} away, \
-         expected at most {allowed:e} {unit}; the nearest edge is {nearest}"
+        "contact {contact} is not on edge {edge}: found it {} {unit} away, \
+         expected at most {allowed:.1e} {unit}; the nearest edge is {nearest}",
+        digits(*.distance)
     )]
     OffEdge {
         contact: usize,
@@ -145,8 +150,9 @@ pub(crate) enum Fault {
     AmbiguousEdge { contact: usize, first: usize, second: usize },
     /// A normal that is not that of the edge.
     #[error(
-        "found the inward normal {found:?} of contact {contact}, \
-         expected {expected:?}, that of edge {edge}"
+        "found the inward normal {} of contact {contact}, \
+         expected {}, that of edge {edge}",
+        direction(.found), direction(.expected)
     )]
     OtherNormal { contact: usize, edge: usize, found: [f64; 2], expected: [f64; 2] },
 }
@@ -154,6 +160,7 @@ pub(crate) enum Fault {
 impl Fault {
     fn help(&self) -> Option<&'static str> {
         match self {
+            Self::Schema { help, .. } => *help,
             Self::SpatialPart => Some("give an `outline` under [part.planar]"),
             Self::NoContacts => Some("`clench optimize` finds where to put the fingers"),
             Self::OtherNormal { .. } => {
@@ -163,4 +170,9 @@ impl Fault {
             _ => None,
         }
     }
+}
+
+fn direction(components: &[f64; 2]) -> String {
+    let [x, y] = components.map(digits);
+    format!("[{x}, {y}]")
 }

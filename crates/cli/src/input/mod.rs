@@ -7,6 +7,7 @@ mod part;
 mod number;
 pub(crate) mod schema;
 
+mod excerpt;
 mod fault;
 mod place;
 

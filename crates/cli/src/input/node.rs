@@ -35,30 +35,46 @@ pub(crate) struct Entry {
 }
 
 impl Node {
-    /// The bytes of the value at `place`, or of the innermost table or list on the way that exists.
-    pub(crate) fn span_of(&self, place: &Place) -> Range<usize> {
+    /// The bytes of the value at `place`, and that it exists; if it does not, those of the
+    /// innermost table or list on the way that does.
+    pub(crate) fn span_of(&self, place: &Place) -> (Range<usize>, bool) {
         let mut node = self;
         for step in place.steps() {
-            let next = match (step, &node.value) {
-                (Step::Field(name), Value::Table(entries)) => {
-                    entries.iter().find(|e| e.key == *name).map(|e| &e.node)
-                }
-                (Step::Item(i), Value::List(items)) => items.get(*i),
-                _ => None,
+            let next = match step {
+                Step::Field(name) => node.field(name),
+                Step::Item(i) => node.items().get(*i),
             };
             match next {
                 Some(next) => node = next,
-                None => break,
+                None => return (node.span.clone(), false),
             }
         }
-        node.span.clone()
+        (node.span.clone(), true)
+    }
+
+    /// The field `name`, if this is a table that has it.
+    pub(crate) fn field(&self, name: &str) -> Option<&Self> {
+        let Value::Table(entries) = &self.value else { return None };
+        entries.iter().find(|entry| entry.key == name).map(|entry| &entry.node)
+    }
+
+    fn items(&self) -> &[Self] {
+        if let Value::List(items) = &self.value { items } else { &[] }
     }
 
     /// Takes the fields called `names` out, if this is a table.
-    pub(crate) fn without(mut self, names: &[&str]) -> Self {
+    pub(crate) fn remove(&mut self, names: &[&str]) {
         if let Value::Table(entries) = &mut self.value {
             entries.retain(|entry| !names.contains(&entry.key.as_str()));
         }
-        self
+    }
+
+    /// The items of the list in the field `name`; none if there is no such list.
+    pub(crate) fn items_of_field(&mut self, name: &str) -> &mut [Self] {
+        let Value::Table(entries) = &mut self.value else { return &mut [] };
+        match entries.iter_mut().find(|entry| entry.key == name).map(|e| &mut e.node.value) {
+            Some(Value::List(items)) => items,
+            _ => &mut [],
+        }
     }
 }

@@ -19,8 +19,14 @@ pub(crate) fn planar_part(document: &Document, part: &schema::Part) -> Result<Pa
     }
     let planar = part.planar.as_ref().ok_or_else(|| document.error(&here, Fault::NoPart))?;
     let corners: Vec<[f64; 2]> = planar.outline.iter().map(|corner| corner.0).collect();
-    let outline = Polygon::new(&corners)
-        .map_err(|e| document.error(&corner_at_fault(&e), Fault::Outline(e)))?;
+    let outline = Polygon::new(&corners).map_err(|e| {
+        let place = corner_at_fault(&e);
+        let fault = match e {
+            PolygonError::TooFewCorners { count } => Fault::TooFewCorners { count },
+            _ => Fault::Outline(e),
+        };
+        document.error(&place, fault)
+    })?;
     let stiffness = planar.stiffness.each(corners.len());
     let each = matches!(planar.stiffness, PerEdge::Each(_));
     Part::new(outline, stiffness).map_err(|e| {

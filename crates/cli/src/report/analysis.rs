@@ -1,12 +1,10 @@
 //! The report on a grasp.
 
-use clench::contact::Order;
-use clench::metrics::LimitedBy;
 use clench::screw::Vector;
-use clench::stiffness::Stability;
 use serde::Serialize;
 
 use super::verdict::{free, pulling, reason, warnings};
+use super::words::{LimitWord, OrderWord, StabilityWord};
 use crate::analyze::{Analysis, Metrics};
 use crate::input::schema::Units;
 
@@ -20,11 +18,11 @@ pub(crate) struct AnalysisReport<'a> {
     pub(crate) dimension: u8,
     pub(crate) units: &'a Units,
     pub(crate) frame: FrameReport,
-    pub(crate) contacts: Vec<ContactReport>,
-    pub(crate) order: &'static str,
+    pub(crate) contacts: Vec<AnalyzedContact>,
+    pub(crate) order: OrderWord,
     pub(crate) stiffness: [[f64; 3]; 3],
     pub(crate) equilibrium: EquilibriumReport,
-    pub(crate) stability: &'static str,
+    pub(crate) stability: StabilityWord,
     #[serde(flatten)]
     pub(crate) metrics: Option<MetricsReport>,
     pub(crate) force_closure: bool,
@@ -55,7 +53,7 @@ pub(crate) struct FrameReport {
 
 /// A contact as it was understood.
 #[derive(Debug, Serialize)]
-pub(crate) struct ContactReport {
+pub(crate) struct AnalyzedContact {
     pub(crate) edge: usize,
     pub(crate) point: [f64; 2],
     pub(crate) inward_normal: [f64; 2],
@@ -73,13 +71,18 @@ pub(crate) struct EquilibriumReport {
     pub(crate) residual_force: [f64; 2],
     /// About the frame's origin.
     pub(crate) residual_torque: f64,
+    /// The residual force relative to the total preload, 0 without one.
+    pub(crate) relative_force: f64,
+    /// The residual torque about the contacts' centroid, relative to the total preload times the
+    /// distance of the farthest contact from there.
+    pub(crate) relative_torque: f64,
 }
 
 /// The numbers that a grasp has if it holds the part.
 #[derive(Debug, Serialize)]
 pub(crate) struct MetricsReport {
     pub(crate) quality: f64,
-    pub(crate) limited_by: &'static str,
+    pub(crate) limited_by: LimitWord,
     pub(crate) sigma_min: f64,
     pub(crate) mu_eq: f64,
     pub(crate) translational: [Translational; 2],
@@ -142,10 +145,10 @@ impl<'a> AnalysisReport<'a> {
             units: analysis.units,
             frame: FrameReport { origin: analysis.frame.origin, angle: analysis.frame.angle },
             contacts: contacts(analysis),
-            order: order(analysis.order),
+            order: analysis.order.into(),
             stiffness: [0, 1, 2].map(|i| [0, 1, 2].map(|j| plain(stiffness.entry(i, j)))),
             equilibrium: equilibrium(analysis),
-            stability: stability(analysis.stability),
+            stability: analysis.stability.into(),
             metrics: analysis.metrics.as_ref().ok().map(|m| metrics(analysis, m)),
             force_closure: analysis.preloads.force_closure,
             preload_margin: analysis.preloads.best.as_ref().map(|best| plain(best.margin)),
@@ -158,34 +161,9 @@ impl<'a> AnalysisReport<'a> {
     }
 }
 
-/// The name of an order.
-pub(crate) const fn order(order: Order) -> &'static str {
-    match order {
-        Order::First => "first",
-        Order::Second => "second",
-    }
-}
-
-/// The name of what limits the quality.
-pub(crate) const fn limit(limit: LimitedBy) -> &'static str {
-    match limit {
-        LimitedBy::Translation => "translation",
-        LimitedBy::Rotation => "rotation",
-    }
-}
-
 /// Zero without a sign.
 pub(crate) fn plain(value: f64) -> f64 {
     value + 0.0
-}
-
-const fn stability(stability: Stability) -> &'static str {
-    match stability {
-        Stability::FirstOrder => "first_order",
-        Stability::SecondOrder => "second_order",
-        Stability::Marginal => "marginal",
-        Stability::Unstable => "unstable",
-    }
 }
 
 /// A point in the frame of the report.
@@ -198,14 +176,14 @@ pub(super) fn direction(analysis: &Analysis<'_>, direction: Vector<2>) -> [f64; 
     analysis.frame.frame().direction_in_frame(direction).to_array().map(plain)
 }
 
-fn contacts(analysis: &Analysis<'_>) -> Vec<ContactReport> {
+fn contacts(analysis: &Analysis<'_>) -> Vec<AnalyzedContact> {
     let shares = analysis.preloads.best.as_ref().map(|best| &best.shares);
     let contacts = analysis.grasp.contacts().iter().zip(analysis.edges).enumerate();
     contacts
-        .map(|(i, (contact, &edge))| ContactReport {
+        .map(|(i, (contact, &edge))| AnalyzedContact {
             edge,
             point: point(analysis, contact.overlap().point()),
-            inward_normal: direction(analysis, contact.overlap().normal()),
+            inward_normal: direction(analysis, contact.overlap().inward_normal()),
             stiffness: contact.slope(),
             preload: contact.preload(),
             balanced_share: shares.map(|shares| plain(shares[i])),
@@ -215,11 +193,23 @@ fn contacts(analysis: &Analysis<'_>) -> Vec<ContactReport> {
 
 fn equilibrium(analysis: &Analysis<'_>) -> EquilibriumReport {
     let about = analysis.grasp.net_wrench(analysis.frame.origin.into());
+    let [relative_force, relative_torque] = relative_residual(analysis);
     EquilibriumReport {
         holds: analysis.equilibrium.holds,
         residual_force: direction(analysis, about.force),
         residual_torque: plain(about.torque[0]),
+        relative_force,
+        relative_torque,
     }
+}
+
+/// What is left of the preloads' force and torque, relative to their total and to their total
+/// times the contacts' size: what decides whether they balance.
+pub(super) fn relative_residual(analysis: &Analysis<'_>) -> [f64; 2] {
+    let (grasp, residual) = (analysis.grasp, analysis.equilibrium.residual);
+    let (total, length) = (grasp.total_preload(), grasp.length());
+    let relative = |left: f64, scale: f64| if scale > 0.0 { left / scale } else { 0.0 };
+    [relative(residual.force.norm(), total), relative(residual.torque.norm(), total * length)]
 }
 
 fn metrics(analysis: &Analysis<'_>, metrics: &Metrics) -> MetricsReport {
@@ -229,7 +219,7 @@ fn metrics(analysis: &Analysis<'_>, metrics: &Metrics) -> MetricsReport {
     let center = point(analysis, principal.center());
     MetricsReport {
         quality: quality.value,
-        limited_by: limit(quality.limited_by),
+        limited_by: quality.limited_by.into(),
         sigma_min: quality.translational,
         mu_eq: quality.equivalent,
         translational: [0, 1].map(|i| Translational {

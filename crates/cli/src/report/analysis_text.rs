@@ -2,9 +2,11 @@
 
 use std::fmt;
 
-use super::analysis::{AnalysisReport, MetricsReport};
-use super::number::{UnitNames, digits, spot};
+use super::analysis::{AnalysisReport, MetricsReport, NO_SHARE};
+use super::number::{UnitNames, spot};
 use super::page::Page;
+use super::words::{OrderWord, StabilityWord};
+use crate::wording::{counted, digits, precise_digits};
 
 /// A report and the name of the file that it is on.
 #[derive(Debug)]
@@ -41,7 +43,8 @@ impl AnalysisText<'_> {
 
     fn head(&self, page: &mut Page) {
         let report = self.report;
-        page.head("grasp", format_args!("{}, {} contacts", self.name, report.contacts.len()));
+        let contacts = counted(report.contacts.len(), "contact");
+        page.head("grasp", format_args!("{}, {contacts}", self.name));
         page.head("units", self.units());
         let frame = report.frame;
         let turned = frame.origin.iter().chain([&frame.angle]).any(|v| v.abs() > 0.0);
@@ -58,8 +61,8 @@ impl AnalysisText<'_> {
         page.head(
             "order",
             match report.order {
-                "second" => "second: with what preload and finger radius add",
-                _ => "first: without what preload and finger radius add",
+                OrderWord::Second => "second: with what preload and finger radius add",
+                OrderWord::First => "first: without what preload and finger radius add",
             },
         );
         match (&report.metrics, &report.reason) {
@@ -93,7 +96,7 @@ impl AnalysisText<'_> {
                 spot(contact.point, self.report.size),
                 spot(contact.inward_normal, 1.0),
                 digits(contact.stiffness),
-                digits(contact.preload),
+                precise_digits(contact.preload),
                 contact.balanced_share.map_or_else(|| "none".to_owned(), share),
             ]);
         }
@@ -138,19 +141,22 @@ impl AnalysisText<'_> {
     fn holding(&self, page: &mut Page) {
         let report = self.report;
         let stability = match report.stability {
-            "first_order" => "stable to first order, whatever the preload",
-            "second_order" => "stable to second order, by its preload",
-            "marginal" => "marginal: some motion costs no energy",
-            _ => "unstable: some motion releases energy",
+            StabilityWord::FirstOrder => "stable to first order, whatever the preload",
+            StabilityWord::SecondOrder => "stable to second order, by its preload",
+            StabilityWord::Marginal => "marginal: some motion costs no energy",
+            StabilityWord::Unstable => "unstable: some motion releases energy",
         };
-        page.row("stability", report.stability.replace('_', " "), stability);
+        page.row("stability", report.stability, stability);
         let preloaded = report.contacts.iter().any(|contact| contact.preload > 0.0);
         let (holds, residual) = (report.equilibrium.holds, &report.equilibrium);
         let left = format!(
-            "force {} {} and torque {} are left",
+            "force {} {} and torque {} are left: {:.1e} of the total preload, {:.1e} of that times \
+             the contacts' size",
             spot(residual.residual_force, 0.0),
             report.units.force,
-            self.units().torque(residual.residual_torque)
+            self.units().torque(residual.residual_torque),
+            residual.relative_force,
+            residual.relative_torque
         );
         match (holds, preloaded) {
             (true, false) => page.row("equilibrium", "holds", "there is no preload"),
@@ -159,8 +165,15 @@ impl AnalysisText<'_> {
         }
         let closure = if report.force_closure { "yes" } else { "no" };
         let margin = match report.preload_margin {
+            Some(margin) if margin > NO_SHARE && !report.force_closure => format!(
+                "a preload balances, its largest least share is {}; but some load cannot be \
+                 balanced by any forces of these contacts",
+                share(margin)
+            ),
             Some(margin) => format!("largest least share of a balanced preload: {}", share(margin)),
-            None => "no preload of these contacts balances".to_owned(),
+            None => {
+                "no preload of these contacts balances: some load pulls the part off".to_owned()
+            }
         };
         page.row("force closure", closure, margin);
     }
@@ -181,5 +194,5 @@ impl AnalysisText<'_> {
 
 /// A share of a total, zero when it is nothing but rounding.
 pub(super) fn share(value: f64) -> String {
-    if value.abs() <= super::analysis::NO_SHARE { "0".to_owned() } else { digits(value) }
+    if value.abs() <= NO_SHARE { "0".to_owned() } else { precise_digits(value) }
 }

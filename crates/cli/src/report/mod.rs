@@ -9,16 +9,18 @@ mod optimum_text;
 
 mod number;
 mod page;
+mod words;
 
 use serde::Serialize;
 
 use crate::failure::Failure;
 
-pub(crate) use analysis::{AnalysisReport, limit};
+pub(crate) use analysis::AnalysisReport;
 pub(crate) use analysis_text::AnalysisText;
 pub(crate) use number::{UnitNames, spot};
-pub(crate) use optimum::{OptimumReport, Question, RESULT_FIELDS, UnansweredReport};
+pub(crate) use optimum::{OptimumReport, Question, UnansweredReport};
 pub(crate) use optimum_text::OptimumText;
+pub(crate) use words::LimitWord;
 
 /// A report as JSON.
 pub(crate) fn json(report: &impl Serialize) -> Result<String, Failure> {

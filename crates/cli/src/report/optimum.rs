@@ -1,37 +1,13 @@
 //! The report on the best placements.
 
 use clench::optimize::polygon::Part;
-use clench::optimize::{Ending, Outcome, Placement};
+use clench::optimize::{Outcome, Placement};
 use serde::Serialize;
 
-use super::analysis::{ReachReport, limit, plain};
+use super::analysis::{ReachReport, plain};
+use super::words::LimitWord;
 use crate::input::{Finite, schema};
 use crate::optimize::Found;
-
-/// The results of `optimize` at the top of its report: `analyze` reads the rest as a grasp file.
-pub(crate) const RESULT_FIELDS: [&str; 21] = [
-    "dimension",
-    "fingers",
-    "total_preload",
-    "finger_radius",
-    "quality",
-    "sigma_min",
-    "mu_eq",
-    "limited_by",
-    "center_of_compliance",
-    "reach",
-    "worst_point_stiffness",
-    "worst_point",
-    "worst_corner",
-    "preload_margin",
-    "quality_second_order",
-    "quality_second_order_missing",
-    "ties",
-    "certificate",
-    "combinations",
-    "top",
-    "reason",
-];
 
 /// What was asked, repeated in the report.
 #[derive(Clone, Copy, Debug, Serialize)]
@@ -75,8 +51,8 @@ pub(crate) struct PlacementReport {
     pub(crate) quality: f64,
     pub(crate) sigma_min: f64,
     pub(crate) mu_eq: f64,
-    pub(crate) limited_by: &'static str,
-    pub(crate) contacts: Vec<ContactReport>,
+    pub(crate) limited_by: LimitWord,
+    pub(crate) contacts: Vec<PlacedFinger>,
     pub(crate) center_of_compliance: [f64; 2],
     pub(crate) reach: ReachReport,
     pub(crate) worst_point_stiffness: f64,
@@ -93,7 +69,7 @@ pub(crate) struct PlacementReport {
 
 /// A finger at its place, in the words of the file schema.
 #[derive(Clone, Debug, Serialize)]
-pub(crate) struct ContactReport {
+pub(crate) struct PlacedFinger {
     pub(crate) edge: usize,
     pub(crate) point: [f64; 2],
     pub(crate) inward_normal: [f64; 2],
@@ -119,32 +95,34 @@ pub(crate) struct CombinationsReport {
 }
 
 impl<'a> OptimumReport<'a> {
-    /// The report on the placements `found`; `None` when there are none.
+    /// The report on the best placement and the others.
     pub(crate) fn new(
         question: &'a Question<'a>,
         part: &Part,
         outcome: &Outcome,
-        found: &[Found<'_>],
-    ) -> Option<Self> {
-        let placements = found.iter().map(|found| PlacementReport::new(question, part, found));
-        let placements: Vec<_> = placements.collect();
-        let best = placements.first()?.clone();
-        let (certificate, combinations) = (outcome.certificate, outcome.combinations);
-        Some(Self {
+        (best, others): (&Found<'_>, &[Found<'_>]),
+    ) -> Self {
+        let placement = |found: &Found<'_>| PlacementReport::new(question, part, found);
+        let best = placement(best);
+        let all = std::iter::once(best.clone()).chain(others.iter().map(placement));
+        let top = if others.is_empty() { Vec::new() } else { all.collect() };
+        let (upper_bound, combinations) = (outcome.certificate.upper_bound, outcome.combinations);
+        Self {
+            // The search ends with the proof only.
+            certificate: CertificateReport {
+                proved: true,
+                upper_bound,
+                gap: (upper_bound - best.quality) / upper_bound,
+            },
             question,
             best,
             ties: outcome.ties,
-            certificate: CertificateReport {
-                proved: matches!(certificate.ending, Ending::Proved),
-                upper_bound: certificate.upper_bound,
-                gap: certificate.gap,
-            },
             combinations: CombinationsReport {
                 total: combinations.total,
                 examined: combinations.examined,
             },
-            top: if placements.len() > 1 { placements } else { Vec::new() },
-        })
+            top,
+        }
     }
 }
 
@@ -153,15 +131,15 @@ impl PlacementReport {
         let solution = found.solution;
         let quality = solution.quality;
         let corner = |number: usize| part.outline().corners()[number].to_array();
-        let contact = |p: &Placement| ContactReport::new(question, part, p);
+        let contact = |p: &Placement| PlacedFinger::new(question, part, p);
         let contacts: Vec<_> = solution.placements.iter().map(contact).collect();
         let second = found.second_order.as_ref();
         Self {
             quality: quality.value,
             sigma_min: quality.translational,
             mu_eq: quality.equivalent,
-            limited_by: limit(quality.limited_by),
-            center_of_compliance: solution.center.to_array().map(plain),
+            limited_by: quality.limited_by.into(),
+            center_of_compliance: solution.center().to_array().map(plain),
             reach: ReachReport {
                 corner: quality.reach.corner,
                 point: corner(quality.reach.corner),
@@ -185,7 +163,7 @@ impl PlacementReport {
     }
 }
 
-impl ContactReport {
+impl PlacedFinger {
     fn new(question: &Question<'_>, part: &Part, placement: &Placement) -> Self {
         let stiffness = Finite(part.edge_stiffness()[placement.edge]);
         let share = plain(placement.share.max(0.0));

@@ -6,9 +6,11 @@ use clench::optimize::polygon::Part;
 
 use super::analysis::NO_SHARE;
 use super::analysis_text::share;
-use super::number::{UnitNames, digits, spot};
+use super::number::{UnitNames, spot};
 use super::optimum::{OptimumReport, PlacementReport};
 use super::page::Page;
+use super::words::LimitWord;
+use crate::wording::{counted, digits, precise_digits};
 
 /// A report, and the part and the name of the file that it is on.
 #[derive(Debug)]
@@ -93,22 +95,17 @@ impl OptimumText<'_> {
 
     fn certificate(&self, page: &mut Page) {
         let report = self.report;
-        if report.certificate.proved {
-            page.head(
-                "proved",
-                format_args!(
-                    "no placement of {} fingers on this outline does better; \
-                     {} combinations of edges, {} solved exactly",
-                    self.count(),
-                    report.combinations.total,
-                    report.combinations.examined
-                ),
-            );
-        } else {
-            let bound = self.units().stiffness(report.certificate.upper_bound);
-            page.head("bound", format_args!("no placement does better than {bound}"));
-        }
-        if report.best.limited_by == "translation" {
+        page.head(
+            "proved",
+            format_args!(
+                "no placement of {} fingers on this outline does better; \
+                 {} combinations of edges, {} solved exactly",
+                self.count(),
+                report.combinations.total,
+                report.combinations.examined
+            ),
+        );
+        if report.best.limited_by == LimitWord::Translation {
             page.head(
                 "ties",
                 "placements on these edges are as good while mu_eq is at least sigma_min; \
@@ -116,10 +113,9 @@ impl OptimumText<'_> {
             );
         }
         if report.ties > 0 {
-            page.head(
-                "ties",
-                format_args!("{} other combinations of edges are as good", report.ties),
-            );
+            let others = counted(report.ties, "other combination");
+            let are = if report.ties == 1 { "is" } else { "are" };
+            page.head("ties", format_args!("{others} of edges {are} as good"));
         }
     }
 
@@ -147,7 +143,7 @@ impl OptimumText<'_> {
                 share(contact.share),
             ];
             if preloaded {
-                row.push(digits(contact.preload));
+                row.push(precise_digits(contact.preload));
             }
             rows.push(row);
         }
@@ -199,7 +195,7 @@ impl OptimumText<'_> {
             rows.push(vec![
                 (i + 1).to_string(),
                 digits(placement.quality),
-                placement.limited_by.to_owned(),
+                placement.limited_by.to_string(),
                 placement.edges().iter().map(ToString::to_string).collect::<Vec<_>>().join(" "),
                 self.points(placement),
             ]);

@@ -2,11 +2,13 @@
 
 use clench::contact::Order;
 use clench::metrics::MetricsError;
+use clench::stiffness::BALANCED;
 use clench::stiffness::Stability;
 
-use super::analysis::{FreeMotion, NO_SHARE, direction, point};
-use super::number::{digits, spot};
+use super::analysis::{FreeMotion, NO_SHARE, direction, point, relative_residual};
+use super::number::spot;
 use crate::analyze::Analysis;
+use crate::wording::digits;
 
 /// The motion that the stiffness does not resist.
 pub(super) fn free(analysis: &Analysis<'_>, error: &MetricsError) -> Option<FreeMotion> {
@@ -36,20 +38,17 @@ pub(super) fn reason(
     pulling: &[usize],
     size: f64,
 ) -> Option<String> {
-    let units = analysis.units;
     match (free, &analysis.metrics) {
-        (Some(FreeMotion::Translation { direction }), _) => {
-            let direction = spot(*direction, 1.0);
-            return Some(format!(
-                "the grasp is not stable: the part is free to slide along {direction}"
-            ));
-        }
-        (Some(FreeMotion::Rotation { center }), _) => {
-            let center = spot(*center, size);
-            return Some(format!(
-                "the grasp is not stable: the part is free to turn about {center} {}",
-                units.length
-            ));
+        (Some(motion), _) => {
+            let motion = match motion {
+                FreeMotion::Translation { direction } => {
+                    format!("slide along {}", spot(*direction, 1.0))
+                }
+                FreeMotion::Rotation { center } => {
+                    format!("turn about {} {}", spot(*center, size), analysis.units.length)
+                }
+            };
+            return Some(free_to(analysis, &motion));
         }
         (None, Err(e)) => return Some(e.to_string()),
         (None, Ok(_)) => {}
@@ -80,6 +79,23 @@ pub(super) fn reason(
             ))
         }
     }
+}
+
+/// The part is free to move; unless it only seems so, because the preloads that would hold it
+/// have too few digits to balance.
+fn free_to(analysis: &Analysis<'_>, motion: &str) -> String {
+    let by_preload = matches!(analysis.stability, Stability::SecondOrder);
+    let first = analysis.order_chosen && matches!(analysis.order, Order::First);
+    if !(by_preload && first) || analysis.equilibrium.holds {
+        return format!("the grasp is not stable: the part is free to {motion}");
+    }
+    let [force, torque] = relative_residual(analysis);
+    let left = force.max(torque);
+    format!(
+        "to first order the part is free to {motion}; the preloads would hold it, but are out of \
+         balance by {left:.1e} of their total (at most {BALANCED:.1e} is allowed): give more \
+         digits, or ask for --order second"
+    )
 }
 
 /// What a reader has to know before trusting the numbers.

@@ -25,8 +25,8 @@ fn assert_says(message: &str, pieces: &[&str]) {
 #[test]
 fn outlines_that_enclose_nothing() {
     for (name, outline, pieces) in [
-        ("one-point", "[[0, 0]]", ["outline: ", "1 corners", "at least 3"]),
-        ("no-point", "[]", ["outline: ", "0 corners", "at least 3"]),
+        ("one-point", "[[0, 0]]", ["outline: ", "found 1 corner,", "at least 3"]),
+        ("no-point", "[]", ["outline: ", "found 0 corners,", "at least 3"]),
         ("line", "[[0, 0], [1, 1], [2, 2]]", ["outline: ", "all 3 corners", "one line"]),
         ("repeated", "[[0, 0], [4, 0], [4, 0], [0, 3]]", ["outline[2]", "corners 1 and 2", "same"]),
         ("closed", "[[0, 0], [4, 0], [0, 3], [0, 0]]", ["outline[0]", "3 and 0", "by itself"]),
@@ -50,7 +50,11 @@ fn numbers_that_are_none() {
         ("nan", "[[0, 0], [nan, 0], [0, 3]]", ["part.toml:2:21: ", "outline[1][0]", "NaN"]),
         ("inf", "[[0, 0], [4, 0], [0, -inf]]", ["part.toml:2:32: ", "outline[2][1]", "-inf"]),
         ("overflow", "[[0, 0], [4, 1e999], [0, 3]]", ["part.toml:2:24: ", "outline[1][1]", "inf"]),
-        ("text", "[[0, 0], [4, \"0\"], [0, 3]]", ["part.toml:2:24: ", "outline[1][1]", "string"]),
+        (
+            "text",
+            "[[0, 0], [4, \"0\"], [0, 3]]",
+            ["part.toml:2:24: ", "outline[1][1]", "text `0`, expected"],
+        ),
         ("three", "[[0, 0], [4, 0, 0], [0, 3]]", ["part.toml:2:20: ", "outline[1]", "[x, y]"]),
         ("flat", "[0, 0, 4, 0, 0, 3]", ["part.toml:2:12: ", "outline[0]", "[x, y]"]),
         ("date", "2020-01-01", ["part.toml:2:11: ", "part.planar.outline", "date"]),
@@ -73,7 +77,7 @@ fn stiffnesses_that_are_none() {
         ("many", "[1, 1, 1, 1, 1]", ["stiffness: ", "5 edge stiffnesses", "4 edges"]),
         ("infinite", "inf", ["stiffness: ", "inf", "finite number"]),
         ("not-a-number", "[1, nan, 1, 1]", ["stiffness[1]: ", "NaN", "finite number"]),
-        ("word", "\"stiff\"", ["stiffness: ", "\"stiff\"", "list of one per edge"]),
+        ("word", "\"stiff\"", ["stiffness: ", "text `stiff`", "list of one per edge"]),
     ] {
         let message = refused(name, "part.toml", part(QUADRILATERAL, stiffness));
         assert_says(&message, &["part.toml:3:", "part.planar."]);
@@ -93,9 +97,17 @@ fn fields_that_are_wrong() {
             ["part.toml:4:1: ", "part.planar.holes", "unknown field `holes`"],
         ),
         ("typo", &typo, ["part.toml:1:1: ", "colour", "expected one of"]),
-        ("no-part", "version = 1\n", ["part.toml:1:1", "missing field `part`", ""]),
+        (
+            "no-part",
+            "version = 1\n",
+            ["part.toml:1:1", "missing field `part`, expected a table with `planar`", ""],
+        ),
         ("bare", "[part]\n", ["part.toml:1:1: part: ", "`planar`", "expected"]),
-        ("missing", "[part.planar]\noutline = []\n", ["part.planar: ", "`stiffness`", "1:1"]),
+        (
+            "missing",
+            "[part.planar]\noutline = []\n",
+            ["part.planar: ", "`stiffness`, expected a positive number, or a list", "1:1"],
+        ),
         ("version", "version = 2\n[part]\n", ["part.toml:1:11: version", "found", "expected 1"]),
         ("half", "version = 1.5\n[part]\n", ["part.toml:1:11: version", "1.5", "whole number"]),
         (
@@ -103,13 +115,60 @@ fn fields_that_are_wrong() {
             "units = { length = \"\" }\n[part]\n",
             ["units.length", "\"\"", "name of a unit"],
         ),
-        ("unit", "units = { length = \"mm\" }\n[part]\n", ["1:9: units", "missing", "`force`"]),
+        (
+            "unit",
+            "units = { length = \"mm\" }\n[part]\n",
+            ["1:9: units", "missing", "`force`, expected the name of a unit"],
+        ),
+        ("no-table", "part = 3.0\n", ["1:8: part: found a number,", "table with `planar`", ""]),
+        ("list", "[[part]]\n", ["part: found a list,", "expected a table with `planar`", ""]),
+        ("no-list", "contacts = 1\n[part]\n", ["contacts: found a number", "expected a list", ""]),
+        ("flag", "[part]\nplanar = true\n", ["part.planar: found true,", "`outline`", "table"]),
         ("spatial", "[part.spatial]\nmesh = 1\n", ["part.spatial: ", "spatial part", "planar one"]),
         ("syntax", "[part.planar\n", ["part.toml:1:", "not valid TOML", ""]),
         ("empty", " \n", ["part.toml:1:1", "is empty", "expected a part"]),
     ] {
         assert_says(&refused(name, "part.toml", content), &pieces);
     }
+}
+
+/// The path of a misspelled field, however far out on its line it is, and little of the line.
+#[test]
+fn a_fault_far_out_on_a_line_is_shown_in_a_window() {
+    let corners = vec!["[123456.5, 0]"; 15_000].join(", ");
+    let start = format!("{{\"part\": {{\"planar\": {{\"outline\": [{corners}], ");
+    assert!(start.len() > 200_000);
+    for (name, rest) in [("json-long", "\"stifness\": 1}}}"), ("json-wide", "\"é\": \"ééé\"}}}")]
+    {
+        let message = refused(name, "part.json", format!("{start}{rest}"));
+        let place = format!("part.json:1:{}: part.planar", start.len() + 2);
+        assert_says(&message, &[&place, "unknown field", "…", "here"]);
+        assert!(message.len() < 1000, "{}: {message}", message.len());
+    }
+    // The fault itself may be long.
+    let long = format!("{{\"part\": {{\"planar\": [{corners}], \"more\": 1}}}}");
+    let message = refused("json-long-list", "part.json", long);
+    assert_says(&message, &["part.json:1:21: part.planar: found a list", "…"]);
+    assert!(message.len() < 1000, "{}: {message}", message.len());
+}
+
+/// A plain file may not have what only the reports of `optimize` have.
+#[test]
+fn results_outside_of_a_report_are_refused() {
+    let sound = part(QUADRILATERAL, "1");
+    for (name, line, help) in [
+        ("finger-radius", "finger_radius = 1", "finger = { radius = .. }"),
+        ("total-preload", "total_preload = 1", "--preload"),
+        ("fingers", "fingers = 4", "--fingers"),
+        ("reach", "reach = 1", "expected one of"),
+        ("certificate", "certificate = { proved = true }", "expected one of"),
+    ] {
+        let message = refused(name, "part.toml", format!("{line}\n{sound}"));
+        assert_says(&message, &["part.toml:1:1: ", "unknown field", help]);
+    }
+    let contact = "[[contacts]]\npoint = [6.5, 0]\nshare = 0.5\n";
+    let message = refused("share", "part.toml", sound + contact);
+    assert_says(&message, &["part.toml:6:1: contacts[0].share", "unknown field `share`"]);
 }
 
 #[test]
@@ -146,10 +205,12 @@ fn wrong_usage_has_its_own_exit_code() {
         ("optimize part.toml", "--fingers"),
         ("optimize part.toml --fingers 5", "[possible values: 3, 4]"),
         ("optimize part.toml --fingers 3", "--preload <F>"),
+        ("optimize part.toml --fingers 3", "resist rotation by their preload alone"),
         ("optimize part.toml --fingers 4 --preload -1", "expected more than 0"),
         ("optimize part.toml --fingers 4 --preload nan", "expected a finite number"),
         ("optimize part.toml --fingers 4 --finger-radius -1", "expected 0 or more"),
-        ("optimize part.toml --fingers 4 --top 0", "--top"),
+        ("optimize part.toml --fingers 4 --top 0", "found 0, expected 1 or more"),
+        ("optimize part.toml --fingers 4 --top x", "found x, expected 1 or more"),
         ("analyze part.toml --frame 1,2", "found 2 numbers, expected three"),
         ("analyze part.toml --frame 1,2,inf", "expected a finite number"),
         ("measure part.toml", "measure"),

@@ -1,9 +1,9 @@
 //! Sound questions without an answer: exit code 3, with the reason.
 
-use clench_testkit::cases::{Value, number, numbers};
+use clench_testkit::cases::{Value, list, number, numbers};
 use clench_testkit::{assert_all_close, assert_close};
 
-use crate::run::{Folder, Ran, grasp, part};
+use crate::run::{Folder, QUADRILATERAL, Ran, grasp, part};
 
 const SQUARE: &str = "[[0, 0], [2, 0], [2, 2], [0, 2]]";
 
@@ -32,7 +32,7 @@ fn three_frictionless_fingers_do_not_hold_a_rectangle() {
     assert!(ran.err.contains("no placement of 3 frictionless fingers"), "{}", ran.err);
     assert_eq!(folder.names(), ["part.svg", "part.toml"]);
     let report = folder.run("optimize part.toml --fingers 3 --preload 1 --format json").json();
-    assert!(report["reason"].as_str().is_some_and(|reason| reason.contains("free to rotate")));
+    assert!(report["reason"].as_str().is_some_and(|reason| reason.contains("pushed away")));
     assert_eq!(report["quality"], Value::Null);
 }
 
@@ -102,4 +102,70 @@ fn preloads_that_do_not_balance_are_reported() {
     assert_close(number(&report["equilibrium"]["residual_torque"]), 0.5, 0.0, 1.0, "tau");
     let text = folder.run("analyze grasp.toml --order second");
     assert!(text.out.contains("depend on the frame"), "{}", text.out);
+}
+
+/// The grasp that the text of `optimize --fingers 3` shows, its preloads typed with `digits`.
+fn typed(folder: &Folder, digits: usize) -> Ran {
+    folder.write("part.toml", part(QUADRILATERAL, "1"));
+    let report = folder.json("optimize part.toml --fingers 3 --preload 0.8");
+    let contacts = list(&report["contacts"]).iter().map(|contact| {
+        let ([point, preload], edge) =
+            (["point", "preload"].map(|name| contact[name].clone()), &contact["edge"]);
+        let decimals = digits - 1;
+        format!("point = {point}\nedge = {edge}\npreload = {:.decimals$e}", number(&preload))
+    });
+    let contacts: Vec<String> = contacts.collect();
+    folder.write("typed.toml", grasp(&contacts.iter().map(String::as_str).collect::<Vec<_>>()));
+    folder.run("analyze typed.toml")
+}
+
+#[test]
+fn preloads_of_too_few_digits_are_named_as_the_reason() {
+    let folder = Folder::new("few-digits");
+    let ran = typed(&folder, 4);
+    assert_eq!(ran.code, Some(3), "{}", ran.err);
+    for piece in [
+        "to first order the part is free to turn about (6.5, 1.75) L",
+        "the preloads would hold it, but are out of balance by ",
+        "at most 1.5e-8 is allowed",
+        "--order second",
+    ] {
+        assert!(ran.err.contains(piece), "`{piece}` is missing in: {}", ran.err);
+    }
+    assert!(!ran.err.contains("not stable"), "{}", ran.err);
+    assert!(ran.out.contains(" of the total preload, "), "{}", ran.out);
+    // Three lines of action through one point: no force answers a torque about it.
+    assert!(ran.out.contains("but some load cannot be balanced by any forces"), "{}", ran.out);
+    assert_eq!(folder.run("analyze typed.toml --order second").code, Some(0));
+}
+
+#[test]
+fn the_digits_of_a_text_report_are_enough_to_balance() {
+    let folder = Folder::new("nine-digits");
+    let ran = typed(&folder, 9);
+    assert_eq!(ran.code, Some(0), "{}", ran.err);
+    let text = folder.run("optimize part.toml --fingers 3 --preload 0.8").out;
+    let report = folder.json("optimize part.toml --fingers 3 --preload 0.8");
+    for contact in list(&report["contacts"]) {
+        let preload = format!("{:.9}", number(&contact["preload"]));
+        assert!(text.contains(preload.trim_end_matches('0')), "{preload}: {text}");
+    }
+}
+
+/// The limit that the message names is the one that decides.
+#[test]
+fn a_residual_is_compared_to_the_limit_that_the_reason_names() {
+    for (excess, holds) in [(1.4e-8, true), (1.6e-8, false)] {
+        let contacts = [
+            "point = [1, 0]\npreload = 1".to_owned(),
+            format!("point = [1, 2]\npreload = {}", 1.0 + 2.0 * excess),
+        ];
+        let (_, ran) = square("limit", &contacts.each_ref().map(String::as_str));
+        let report = ran.json();
+        let equilibrium = &report["equilibrium"];
+        assert_eq!(equilibrium["holds"], holds, "{excess}");
+        // Differences of numbers near 1, so to a rounding of those.
+        let found = number(&equilibrium["relative_force"]);
+        assert_close(found, excess / (1.0 + excess), f64::EPSILON, 1.0, "relative force");
+    }
 }

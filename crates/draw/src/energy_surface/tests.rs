@@ -2,36 +2,22 @@
 
 use std::f64::consts::TAU;
 
+use clench_screw::{Frame, Stiffness};
+
 use super::*;
 use crate::energy_ellipsoids::EnergyEllipsoids;
 
-/// The grasp of the paper's Figures 1 and 2.
-const OUTLINE: [[f64; 2]; 4] = [[0.0, 0.0], [13.0, 0.0], [9.0, 8.0], [2.0, 6.0]];
 const CENTER: [f64; 2] = [80.0 / 13.0, 72.0 / 13.0];
 
-/// Contacts and inward normals: on AB at A and at B, on BC at C, on DA at D.
-fn contacts() -> [([f64; 2], [f64; 2]); 4] {
-    let (s5, s10) = (5.0_f64.sqrt(), 10.0_f64.sqrt());
-    [
-        (OUTLINE[0], [0.0, 1.0]),
-        (OUTLINE[1], [0.0, 1.0]),
-        (OUTLINE[2], [-2.0 / s5, -1.0 / s5]),
-        (OUTLINE[3], [3.0 / s10, -1.0 / s10]),
-    ]
-}
-
-/// The first-order stiffness of unit springs about an origin.
+/// The stiffness of the paper's Figures 1 and 2, about an origin.
 fn stiffness(origin: [f64; 2]) -> [[f64; 3]; 3] {
-    let mut sum = [[0.0; 3]; 3];
-    for (point, [x, y]) in contacts() {
-        let row = [x, y, (point[0] - origin[0]) * y - (point[1] - origin[1]) * x];
-        for i in 0..3 {
-            for j in 0..3 {
-                sum[i][j] += row[i] * row[j];
-            }
-        }
-    }
-    sum
+    let about_corner = Stiffness::<2, 1> {
+        translational: [[1.7, 0.1], [0.1, 2.3]].into(),
+        coupling: [[-8.8], [13.6]].into(),
+        rotational: [[218.8]].into(),
+    };
+    let k = about_corner.in_frame(&Frame::at(origin.into()));
+    *Mat::<3, 3>::from_fn(|i, j| k.entry(i, j)).rows()
 }
 
 fn ellipsoids(space: EnergySpace) -> EnergyEllipsoids {

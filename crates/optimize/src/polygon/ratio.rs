@@ -10,7 +10,7 @@ pub(super) fn stationary(
     (p, u): (Vector<2>, Vector<2>),
     (q, w): (Vector<2>, Vector<2>),
 ) -> [f64; 2] {
-    // Only the directions matter, so each line is brought to size 1: no product over- or underflows.
+    // The scale of each line does not matter: brought to size 1, no product over- or underflows.
     let unit = |p: Vector<2>, u: Vector<2>| {
         let size = p.max_abs().max(u.max_abs()).recip();
         (p * size, u * size)

@@ -1,0 +1,40 @@
+//! Numbers in words, for messages and reports alike.
+
+/// Numbers with these powers of ten are written without a power.
+const PLAIN_POWERS: std::ops::Range<i32> = -4..7;
+
+/// `value` with six significant digits; JSON has all of them.
+pub(crate) fn digits(value: f64) -> String {
+    significant(value, 6)
+}
+
+/// `value` with nine significant digits: preloads that are typed from a report with these still
+/// balance.
+pub(crate) fn precise_digits(value: f64) -> String {
+    significant(value, 9)
+}
+
+/// A number of things, such as `1 corner` or `2 corners`.
+pub(crate) fn counted(count: usize, thing: &str) -> String {
+    let plural = if count == 1 { "" } else { "s" };
+    format!("{count} {thing}{plural}")
+}
+
+fn significant(value: f64, count: u8) -> String {
+    if value.abs() <= 0.0 {
+        return "0".to_owned();
+    }
+    let further = i32::from(count) - 1;
+    let scientific = format!("{value:.0$e}", usize::from(count) - 1);
+    let Some((mantissa, power)) = scientific.split_once('e') else { return scientific };
+    let power: i32 = power.parse().unwrap_or(0);
+    if PLAIN_POWERS.contains(&power) {
+        let decimals = usize::try_from(further - power).unwrap_or(0);
+        return trimmed(&format!("{value:.decimals$}")).to_owned();
+    }
+    format!("{}e{power}", trimmed(mantissa))
+}
+
+fn trimmed(text: &str) -> &str {
+    if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.') } else { text }
+}
