@@ -66,14 +66,14 @@ impl FarthestPartition {
 
     /// The corner farthest from `point`; see [`Polygon::farthest`](crate::Polygon::farthest).
     #[must_use]
-    pub fn farthest(&self, point: Vector<2>) -> Reach {
+    pub(crate) fn farthest(&self, point: Vector<2>) -> Reach {
         let (site, squared) = self.farthest_site(point);
         Reach { corner: self.corners[site], distance: squared.sqrt() }
     }
 
     /// The farthest corners along a segment; see
     /// [`Polygon::farthest_along`](crate::Polygon::farthest_along).
-    pub fn farthest_along(
+    pub(crate) fn farthest_along(
         &self,
         start: Vector<2>,
         end: Vector<2>,
