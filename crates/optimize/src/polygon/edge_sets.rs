@@ -62,9 +62,15 @@ fn subset<const K: usize>(mut number: u64) -> [usize; K] {
 
 /// The largest `c` with `choose(c, size) <= number`.
 fn largest_with_at_most(number: u64, size: u64) -> u64 {
-    let factorial: f64 = (1..=size).map(|i| i as f64).product();
     // A first guess, put right below.
-    let mut c = (number as f64 * factorial).powf((size as f64).recip()) as u64;
+    let scaled = number as f64 * FACTORIALS[size as usize] as f64;
+    let root = match size {
+        1 => scaled,
+        2 => scaled.sqrt(),
+        3 => scaled.cbrt(),
+        _ => scaled.sqrt().sqrt(),
+    };
+    let mut c = root as u64;
     let at_most = |c: u64| choose(c, size).is_some_and(|count| count <= number);
     while at_most(c + 1) {
         c += 1;
@@ -75,14 +81,19 @@ fn largest_with_at_most(number: u64, size: u64) -> u64 {
     c
 }
 
-/// How many subsets of `size` elements `n` elements have, if that can be counted.
+/// How many subsets of `size` elements, at most 4, `n` elements have, if that can be counted.
 pub(super) fn choose(n: u64, size: u64) -> Option<u64> {
-    let count = (0..u128::from(size)).try_fold(1_u128, |product, i| {
-        let factor = u128::from(n).saturating_sub(i);
-        Some(product.checked_mul(factor)? / (i + 1))
-    });
-    u64::try_from(count?).ok()
+    let factorial = FACTORIALS[size as usize];
+    let factors = (0..size).map(|i| n.saturating_sub(i));
+    // The usual case is counted without wide numbers: this is where a search spends its time.
+    if n < 1 << 15 {
+        return Some(factors.product::<u64>() / factorial);
+    }
+    let product = factors.map(u128::from).try_fold(1, u128::checked_mul)?;
+    u64::try_from(product / u128::from(factorial)).ok()
 }
+
+const FACTORIALS: [u64; 5] = [1, 1, 2, 6, 24];
 
 #[cfg(test)]
 mod tests {

@@ -12,7 +12,8 @@ use super::scene::{Border, Scene, Support};
 const ROW_ROUNDING: f64 = 64.0 * f64::EPSILON;
 
 /// What placements and the cone have in common has an inside when its area exceeds this part of
-/// the square of the placements' extent; touching from outside, it has some roundings.
+/// the placements' extent times the size of their moments; touching from outside, it has some
+/// roundings.
 const TOUCHING: f64 = 256.0 * f64::EPSILON;
 
 /// The window of possible centers of compliance is drawn wider by this factor, so that its own
@@ -141,7 +142,13 @@ impl<'a> Quadruple<'a> {
         let common = Convex::zonogon(middle, generators)
             .cut(self.cone[0] * -sign, 0.0)
             .cut(self.cone[1] * -sign, 0.0);
-        common.area() > TOUCHING * extent * extent
+        // Short edges far out: the moments are rounded to their own size.
+        let size = self.supports.iter().map(|s| largest(&[s.low, s.high])).fold(extent, f64::max);
+        common.area() > TOUCHING * extent * size
+    }
+
+    fn largest_arm(&self) -> f64 {
+        self.supports.iter().map(|s| s.weight).fold(0.0, f64::max)
     }
 
     /// Raises `best` to the placement at `(d, z)`, if that is larger once it is within its limits.
@@ -155,7 +162,9 @@ impl<'a> Quadruple<'a> {
             placed.z += self.null[i] * s[i];
             placed.d += self.per_moment[i] * s[i];
         }
-        let slack = -ROW_ROUNDING * s.iter().fold(0.0, |m: f64, s| m.max(s.abs()));
+        // The moments are sums in which a far center cancels, so z is known to this much only.
+        let size = self.largest_arm() * placed.d.norm() + placed.z.norm() + largest(&s);
+        let slack = -ROW_ROUNDING * size;
         let pushes = |sign: f64| self.cone.iter().all(|c| sign * c.dot(placed.z) >= slack);
         let reach = (placed.d - self.scene.farthest(placed.d)).norm_squared();
         placed.equivalent = placed.z.norm_squared() / reach;
@@ -390,6 +399,11 @@ fn pushing_cone(null: &[Vector<2>; 4]) -> Option<[Vector<2>; 2]> {
     }
     // Z . (J z) = (J^T Z) . z, and J^T is the quarter turn.
     Some([quarter_turn(right), quarter_turn(left)])
+}
+
+/// The largest magnitude.
+fn largest(numbers: &[f64]) -> f64 {
+    numbers.iter().fold(0.0, |largest, x| largest.max(x.abs()))
 }
 
 fn distance_squared_to_origin(a: Vector<2>, b: Vector<2>) -> f64 {

@@ -125,12 +125,15 @@ impl<'a> Scene<'a> {
     }
 }
 
+/// Powers of four up to this one, and their inverses, are within the range of a double.
+const LARGEST_EXPONENT: i32 = 500;
+
 /// The largest power of four that is not above the largest stiffness, or one of its neighbors.
 fn power_of_four(stiffness: &[f64]) -> f64 {
     let largest = stiffness.iter().copied().fold(0.0, f64::max);
     #[expect(clippy::cast_possible_truncation, reason = "an exponent of a double is small")]
     let exponent = (0.5 * largest.log2()).floor() as i32;
-    4.0_f64.powi(exponent)
+    4.0_f64.powi(exponent.clamp(-LARGEST_EXPONENT, LARGEST_EXPONENT))
 }
 
 impl Support {

@@ -171,3 +171,64 @@ fn placements_that_only_touch_the_pushing_cone_are_no_limits() {
         assert_eq!(four_fingers_on(&part, [2, 3, 6, 7]).unwrap(), None, "{angle}");
     }
 }
+
+/// The same S with a long tail: its edges are short beside their distance from the center.
+#[test]
+fn touching_is_recognized_on_short_edges_far_from_the_center() {
+    for tail in [10.0, 1e3, 1e4, 1e5] {
+        let s = [
+            [0.0, 0.0],
+            [0.5, -tail],
+            [2.0, 0.0],
+            [2.0, 1.0],
+            [3.0, 1.0],
+            [3.0, 2.0],
+            [1.0, 2.0],
+            [1.0, 1.0],
+            [0.0, 1.0],
+        ];
+        let part = Part::uniform(Polygon::new(&s).unwrap(), 1.0).unwrap();
+        assert_eq!(four_fingers_on(&part, [3, 4, 7, 8]).unwrap(), None, "{tail}");
+    }
+}
+
+/// Slivers whose centers of compliance are thousands of radii away; each placement given is the
+/// best known, computed with 70 digits.
+#[test]
+fn far_centers_of_compliance_do_not_hide_the_optimum() {
+    let sliver = [
+        [1.692_102_989_337_123_3, 0.860_351_516_978_834_2],
+        [-1.439_332_552_848_597, -0.730_598_021_729_063_4],
+        [-0.345_620_802_129_220_14, -0.176_606_877_468_631_05],
+        [0.377_830_628_097_994_84, 0.190_982_723_943_169_42],
+    ];
+    let stiffness = vec![
+        1.449_503_930_793_034,
+        0.552_928_112_574_214_5,
+        1.078_774_973_551_512_9,
+        0.766_202_422_780_366,
+    ];
+    let part = Part::new(Polygon::new(&sliver).unwrap(), stiffness).unwrap();
+    let found = four_fingers(&part, &FourFingers::default(), |_| {}).unwrap().best.quality.value;
+    assert!(found >= 2.1306e-6, "{found:e}");
+
+    let sliver = [
+        [0.644_134_438_110_640_6, -1.158_641_479_430_325_7],
+        [0.026_827_546_118_128_12, -0.047_225_063_958_550_1],
+        [-1.079_731_166_424_93, 1.943_064_232_056_840_8],
+        [-0.915_210_012_413_334_2, 1.645_653_765_319_319],
+        [0.178_644_004_355_184_04, -0.322_391_937_859_070_3],
+        [0.800_627_628_406_503_7, -1.440_670_440_616_642_6],
+    ];
+    let stiffness = vec![
+        1.265_010_983_607_783_4,
+        1.0,
+        0.897_708_702_040_653_9,
+        1.0,
+        0.859_158_927_384_572,
+        0.622_641_257_584_861_2,
+    ];
+    let part = Part::new(Polygon::new(&sliver).unwrap(), stiffness).unwrap();
+    let found = four_fingers_on(&part, [0, 2, 4, 5]).unwrap().unwrap().quality.equivalent;
+    assert!(found >= 1.8110e-6, "{found:e}");
+}
