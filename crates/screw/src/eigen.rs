@@ -67,8 +67,11 @@ fn sweep<const N: usize>(a: &mut Mat<N, N>, basis: &mut Mat<N, N>) -> bool {
     let mut rotated = false;
     for p in 0..N {
         for q in p + 1..N {
-            // Two roots, since the product may overflow.
-            let scale = a[p][p].abs().sqrt() * a[q][q].abs().sqrt();
+            let (one, other) = (a[p][p].abs(), a[q][q].abs());
+            let product = one * other;
+            // Two roots where the product leaves the range of numbers.
+            let scale =
+                if product.is_normal() { product.sqrt() } else { one.sqrt() * other.sqrt() };
             if a[p][q].abs() > NO_ROTATION * scale {
                 rotate(a, basis, p, q);
                 rotated = true;
