@@ -3,7 +3,7 @@
 
 use std::hint::black_box;
 
-use clench::contact::{Contact, Law, Order};
+use clench::contact::{Contact, Geometry, Law, Order};
 use clench::metrics::{Principal, Quality, WorstPoint};
 use clench::shape::Polygon;
 use clench::stiffness::Grasp;
@@ -15,7 +15,12 @@ fn planar(c: &mut Criterion) {
     let places = [(0, 1.3, 0.111), (0, 11.7, 0.111), (1, 4.47, 0.298), (3, 2.61, 0.281)];
     let contacts = places.map(|(edge, along, preload)| {
         let edge = &outline.edges()[edge];
-        Contact::new(edge.point_at(along), edge.inward_normal(), 0.5, law, preload).unwrap()
+        Contact::new(
+            Geometry::on_face(edge.point_at(along), edge.inward_normal(), 0.5),
+            law.clone(),
+            preload,
+        )
+        .unwrap()
     });
     let grasp = Grasp::new(contacts.to_vec()).unwrap();
     let principal = |grasp: &Grasp<2, 1>, order| {

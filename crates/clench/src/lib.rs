@@ -13,7 +13,7 @@
 //! | find the best placement of fingers | [`optimize`] |
 //!
 //! ```
-//! use clench::contact::{Contact, Law, Order};
+//! use clench::contact::{Contact, Geometry, Law, Order};
 //! use clench::metrics::{Principal, Quality};
 //! use clench::shape::Polygon;
 //! use clench::stiffness::Grasp;
@@ -24,7 +24,7 @@
 //! for (edge, along) in [(0, 0.0), (0, 13.0), (1, 80.0_f64.sqrt()), (3, 0.0)] {
 //!     let edge = &outline.edges()[edge];
 //!     let (point, normal) = (edge.point_at(along), edge.inward_normal());
-//!     contacts.push(Contact::new(point, normal, 0.0, Law::linear(1.0)?, 0.0)?);
+//!     contacts.push(Contact::new(Geometry::on_face(point, normal, 0.0), Law::linear(1.0)?, 0.0)?);
 //! }
 //! let grasp = Grasp::new(contacts)?;
 //! let principal =

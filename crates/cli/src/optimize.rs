@@ -1,6 +1,6 @@
 //! `clench optimize`: where the fingers go.
 
-use clench::contact::{Contact, ContactError, Law, Order};
+use clench::contact::{Contact, ContactError, Geometry, Law, Order};
 use clench::metrics::{MetricsError, Quality, WorstPoint};
 use clench::optimize::polygon::{FourFingers, Part, ThreeFingers, four_fingers, three_fingers};
 use clench::optimize::{OptimizeError, Outcome, Solution};
@@ -123,7 +123,11 @@ fn examine<'a>(
         let law = Law::linear(part.edge_stiffness()[p.edge])?;
         // Shares are zero or more up to rounding.
         let preload = (force * p.share).max(0.0);
-        Contact::new(p.point, p.inward_normal, arguments.finger_radius, law, preload)
+        Contact::new(
+            Geometry::on_face(p.point, p.inward_normal, arguments.finger_radius),
+            law,
+            preload,
+        )
     });
     let grasp = Grasp::new(contacts.collect::<Result<_, _>>()?)?;
     let worst = WorstPoint::of(&solution.principal, part.outline())?;

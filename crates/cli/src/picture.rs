@@ -57,7 +57,7 @@ pub(crate) fn of_analysis(analysis: &Analysis<'_>) -> GraspPicture {
     let fingers = contacts.iter().enumerate().map(|(i, contact)| Finger {
         point: contact.overlap().point().to_array(),
         inward_normal: contact.overlap().inward_normal().to_array(),
-        radius: contact.overlap().finger_radius(),
+        radius: contact.overlap().geometry().finger.radius().unwrap_or(0.0),
         label: finger_name(i),
         preload: if contact.preload() > 0.0 {
             units.force(contact.preload())

@@ -1,9 +1,9 @@
-//! One finger on one face: geometry, force law and preload together.
+//! One finger on the part: geometry, force law and preload together.
 
 use clench_screw::{Stiffness, Vector, Wrench};
 
 use crate::error::{not_negative, positive};
-use crate::{ContactError, Law, Overlap};
+use crate::{ContactError, Geometry, Law, Overlap};
 
 /// Which terms of [LBR, eq. 6] a stiffness has.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -14,8 +14,8 @@ pub enum Order {
     Second,
 }
 
-/// A round finger pressed on a flat face of the body by a preload.
-#[derive(Clone, Copy, Debug, PartialEq)]
+/// A finger pressed on the part by a preload.
+#[derive(Clone, Debug, PartialEq)]
 pub struct Contact<const N: usize, const M: usize> {
     overlap: Overlap<N, M>,
     law: Law,
@@ -24,30 +24,59 @@ pub struct Contact<const N: usize, const M: usize> {
 }
 
 impl<const N: usize, const M: usize> Contact<N, M> {
-    /// The contact at `point` on the body's boundary, along `inward_normal` (of any length), of a
-    /// finger with the tip radius `radius`, that presses with the force `preload`; the overlap
-    /// follows from the law. Lengths, forces and the frame are the caller's.
+    /// The contact at the place `geometry` of a finger that presses with the force `preload`; the
+    /// overlap follows from the law. Lengths, forces and the frame are the caller's.
     ///
     /// # Errors
     ///
-    /// [`ContactError::NotFinite`], [`ContactError::NoNormal`] and [`ContactError::Negative`]
-    /// (radius, preload) name what is wrong; [`ContactError::NoStiffness`] when the law has no
-    /// finite positive slope at this preload.
-    pub fn new(
-        point: Vector<N>,
-        inward_normal: Vector<N>,
-        radius: f64,
+    /// [`ContactError::Negative`] for the preload, [`ContactError::BeyondLaw`] for one that the
+    /// law does not reach, [`ContactError::NoStiffness`] when the law has no finite positive slope
+    /// at it: Hertz' law has none without preload. Of the geometry,
+    ///
+    /// - [`ContactError::NotFinite`], [`ContactError::NoNormal`], [`ContactError::Radius`],
+    ///   [`ContactError::NoPrincipalDirection`] and [`ContactError::ShapeOperator`] name a number
+    ///   that is none;
+    /// - [`ContactError::NoGap`]: flat on flat, or a finger in a pocket that is narrower than the
+    ///   finger: the overlap is no smooth function then;
+    /// - [`ContactError::TooDeep`]: the overlap exceeds what the radii of curvature allow.
+    pub fn new(geometry: Geometry<N>, law: Law, preload: f64) -> Result<Self, ContactError> {
+        let preload = not_negative("preload", preload)?;
+        let largest = law.largest_force();
+        if preload >= largest {
+            return Err(ContactError::BeyondLaw { force: preload, largest });
+        }
+        let depth = law.overlap(preload);
+        Self::at_rest(geometry, law, depth, preload)
+    }
+
+    /// The contact at the place `geometry` of a finger that overlaps the part by `overlap`; the
+    /// preload follows from the law.
+    ///
+    /// # Errors
+    ///
+    /// Those of [`Self::new`], with the overlap in place of the preload.
+    pub fn overlapping(
+        geometry: Geometry<N>,
         law: Law,
+        overlap: f64,
+    ) -> Result<Self, ContactError> {
+        let overlap = not_negative("overlap", overlap)?;
+        let (force, largest) = (law.force(overlap), law.largest_force());
+        if force >= largest {
+            return Err(ContactError::BeyondLaw { force, largest });
+        }
+        Self::at_rest(geometry, law, overlap, force)
+    }
+
+    fn at_rest(
+        geometry: Geometry<N>,
+        law: Law,
+        depth: f64,
         preload: f64,
     ) -> Result<Self, ContactError> {
-        let point = finite("contact point", point)?;
-        let normal = unit(finite("inward normal", inward_normal)?)?;
-        let radius = not_negative("finger radius", radius)?;
-        let preload = not_negative("preload", preload)?;
-        let depth = law.overlap(preload);
         let slope = law.slope(depth);
         positive("slope", slope).map_err(|_| ContactError::NoStiffness { slope })?;
-        let overlap = Overlap::new(point, normal, radius, depth);
+        let overlap = Overlap::new(geometry, depth)?;
         Ok(Self { overlap, law, preload, slope })
     }
 
@@ -90,24 +119,4 @@ impl<const N: usize, const M: usize> Contact<N, M> {
             Order::Second => first + self.overlap.hessian(origin) * self.preload,
         }
     }
-}
-
-fn finite<const N: usize>(
-    parameter: &'static str,
-    vector: Vector<N>,
-) -> Result<Vector<N>, ContactError> {
-    match (0..N).find(|&axis| !vector[axis].is_finite()) {
-        Some(axis) => Err(ContactError::NotFinite { parameter, axis, value: vector[axis] }),
-        None => Ok(vector),
-    }
-}
-
-/// `vector` at unit length; divided by its largest component first, so that no square underflows.
-fn unit<const N: usize>(vector: Vector<N>) -> Result<Vector<N>, ContactError> {
-    let size = vector.max_abs();
-    if size > 0.0 {
-        let scaled = Vector::from_fn(|i| vector[i] / size);
-        return Ok(scaled * scaled.norm().recip());
-    }
-    Err(ContactError::NoNormal)
 }

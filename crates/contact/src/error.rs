@@ -30,6 +30,81 @@ pub enum ContactError {
         /// What was found.
         value: f64,
     },
+    /// A radius of curvature is not a number, or is 0 where a boundary has to be smooth.
+    #[error(
+        "the {body}'s boundary has the radius of curvature {value}, but a radius has to be a \
+         number; for Hertz' law, and for a principal radius, other than 0"
+    )]
+    Radius {
+        /// `"finger"` or `"part"`.
+        body: &'static str,
+        /// What was found.
+        value: f64,
+    },
+    /// The principal direction of a boundary is along the normal, or is none.
+    #[error("the {body}'s principal direction is along the normal, or is zero or not finite")]
+    NoPrincipalDirection {
+        /// `"finger"` or `"part"`.
+        body: &'static str,
+    },
+    /// The shape operator of a boundary has an entry that is not a finite number.
+    #[error("the {body}'s shape operator has an entry that is not a finite number")]
+    ShapeOperator {
+        /// `"finger"` or `"part"`.
+        body: &'static str,
+    },
+    /// The gap between finger and part does not open in all directions.
+    #[error(
+        "along some direction the curvatures of finger and part sum to {relative_curvature}, but \
+         have to sum to more than 0: flat on flat, or a finger in a hollow as narrow as itself, \
+         touches in more than one point"
+    )]
+    NoGap {
+        /// The least relative curvature (1 / length).
+        relative_curvature: f64,
+    },
+    /// The overlap is as large as the radii of curvature: the deepest points are not unique.
+    #[error(
+        "the overlap is {depth}, but has to be less than {limit}, where the curvatures of finger \
+         and part leave its deepest points undecided"
+    )]
+    TooDeep {
+        /// The overlap (length).
+        depth: f64,
+        /// What it has to be below (length).
+        limit: f64,
+    },
+    /// The force is more than the law can describe.
+    #[error("the contact force is {force}, but the law holds for less than {largest} only")]
+    BeyondLaw {
+        /// What was found.
+        force: f64,
+        /// The law's largest force.
+        largest: f64,
+    },
+    /// The relative curvatures do not belong to an ellipse.
+    #[error(
+        "the gap has the curvatures {smaller} and {larger}, but the first has to be the smaller \
+         one, and their ratio in the range of numbers"
+    )]
+    NoEllipse {
+        /// The one given as the smaller (1 / length).
+        smaller: f64,
+        /// The one given as the larger (1 / length).
+        larger: f64,
+    },
+    /// No elastic material has this Poisson's ratio.
+    #[error("Poisson's ratio is {value}, but has to be more than -1 and at most 1/2")]
+    PoissonRatio {
+        /// What was found.
+        value: f64,
+    },
+    /// There is no material of this name.
+    #[error("no material has this name; known are {}", known_materials())]
+    UnknownMaterial,
+    /// Curvatures so large that their products leave the range of numbers.
+    #[error(transparent)]
+    Screw(#[from] clench_screw::ScrewError),
     /// The inward normal has no direction.
     #[error("inward normal is zero, so it has no direction")]
     NoNormal,
@@ -42,6 +117,10 @@ pub enum ContactError {
         /// `f'(0)`.
         slope: f64,
     },
+}
+
+fn known_materials() -> String {
+    crate::Material::ALL.map(|material| material.name).join(", ")
 }
 
 /// `value`, if it is positive and finite.

@@ -9,13 +9,13 @@
 //! of the stiffness of a grasp [LBR, eq. 6]. This crate knows one contact at a time.
 //!
 //! ```
-//! use clench_contact::{Contact, Law, Order};
+//! use clench_contact::{Contact, Geometry, Law, Order};
 //! use clench_screw::Vector;
 //!
 //! // A disc of radius 0.5 mm on an edge along x, at (2, 0) mm, k = 10 N/mm, pressed by 1 N.
 //! let law = Law::linear(10.0)?;
-//! let point = Vector::new([2.0, 0.0]);
-//! let contact = Contact::<2, 1>::new(point, Vector::new([0.0, 1.0]), 0.5, law, 1.0)?;
+//! let place = Geometry::on_face(Vector::new([2.0, 0.0]), Vector::new([0.0, 1.0]), 0.5);
+//! let contact = Contact::<2, 1>::new(place, law, 1.0)?;
 //! assert_eq!(contact.overlap().depth(), 0.1);
 //!
 //! // About the origin: k * 2^2 from the lever arm, and the force times the distance of the
@@ -25,8 +25,12 @@
 //! # Ok::<(), clench_contact::ContactError>(())
 //! ```
 
+mod elastic;
 mod law;
+mod material;
 
+mod curvature;
+mod geometry;
 mod overlap;
 
 mod contact;
@@ -34,6 +38,10 @@ mod contact;
 mod error;
 
 pub use contact::{Contact, Order};
+pub use curvature::Curvature;
+pub use elastic::{Elastic, effective_modulus};
 pub use error::ContactError;
-pub use law::{Law, Linear, Power};
+pub use geometry::{Geometry, RelativeCurvature};
+pub use law::{CustomLaw, ForceLaw, Hertz, Law, Line, LineContact, Linear, Power};
+pub use material::{Material, Units};
 pub use overlap::Overlap;

@@ -1,8 +1,8 @@
-//! Whether the contact forces balance.
+//! Whether contact forces and loads balance.
 
 use clench_screw::Wrench;
 
-use crate::Grasp;
+use crate::{DeadLoad, Grasp, GraspError};
 
 /// Relative residual up to which the contact forces count as balanced: half the digits of a
 /// double, so that files may print preloads with eight digits.
@@ -11,24 +11,52 @@ use crate::Grasp;
 /// length, so half the digits of a second-order result are then still true in every frame.
 pub const BALANCED: f64 = 1.490_116_119_384_765_6e-8;
 
-/// The sum of the contact forces, and whether it is zero.
+/// The sum of contact forces and loads, and whether it is zero.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Equilibrium<const N: usize, const M: usize> {
     /// What is left, about the contacts' centroid.
     pub residual: Wrench<N, M>,
-    /// Whether that is zero: the force relative to the total preload, the torque relative to the
-    /// total preload times the grasp's length.
+    /// The residual force relative to the total of all contact forces and loads; 0 without any.
+    pub relative_force: f64,
+    /// The residual torque relative to that total times the largest distance of a contact or a
+    /// load from the centroid; 0 without any.
+    pub relative_torque: f64,
+    /// Whether both are at most [`BALANCED`].
     pub holds: bool,
 }
 
+impl<const N: usize, const M: usize> Equilibrium<N, M> {
+    /// Nothing, if the forces balance.
+    ///
+    /// # Errors
+    ///
+    /// [`GraspError::Unbalanced`] with the residual: a stiffness to second order then depends on
+    /// the frame in which it is formed, and so does all that follows from it.
+    pub const fn required(&self) -> Result<(), GraspError> {
+        if self.holds {
+            return Ok(());
+        }
+        Err(GraspError::Unbalanced { force: self.relative_force, torque: self.relative_torque })
+    }
+}
+
 impl<const N: usize, const M: usize> Grasp<N, M> {
-    /// Whether the preloads balance [LBR, eq. 5]. A grasp without preload does.
+    /// Whether contact forces and loads balance [LBR, eq. 5]. A grasp without either does.
     #[must_use]
     pub fn equilibrium(&self) -> Equilibrium<N, M> {
         let residual = self.net_wrench(self.centroid());
-        let allowed = BALANCED * self.total_preload();
-        let holds =
-            residual.force.norm() <= allowed && residual.torque.norm() <= allowed * self.length();
-        Equilibrium { residual, holds }
+        let loads = self.loads().iter();
+        let total = loads.clone().fold(self.total_preload(), |sum, l| sum + l.force.norm());
+        let arm = |l: &DeadLoad<N>| (l.point - self.centroid()).norm();
+        let length = loads.map(arm).fold(self.length(), f64::max);
+        let relative_force = relative(residual.force.norm(), total);
+        let relative_torque = relative(residual.torque.norm(), total * length);
+        let holds = relative_force <= BALANCED && relative_torque <= BALANCED;
+        Equilibrium { residual, relative_force, relative_torque, holds }
     }
+}
+
+/// `part` of `whole`; nothing of nothing is nothing.
+fn relative(part: f64, whole: f64) -> f64 {
+    if part > 0.0 { part / whole } else { 0.0 }
 }

@@ -16,6 +16,23 @@ pub enum GraspError {
         /// The first contact whose share is not finite, from 0.
         contact: usize,
     },
+    /// A dead load is not finite, or its torque exceeds the range of the numbers.
+    #[error("load {load} is out of range: its point, force and torque have to be finite")]
+    Load {
+        /// The first such load, from 0.
+        load: usize,
+    },
+    /// Contact forces and loads do not balance, but the answer needs that they do.
+    #[error(
+        "contact forces and loads do not balance: {force:.1e} of their total is left as a force, \
+         {torque:.1e} of that times the contacts' size as a torque"
+    )]
+    Unbalanced {
+        /// The residual force, relative to the total of the forces.
+        force: f64,
+        /// The residual torque about the centroid, relative to the total times the grasp's length.
+        torque: f64,
+    },
     /// The linear program over the preloads could not be solved, though it is bounded.
     #[error(
         "whether the preloads of {contacts} contacts can balance was not decided: numerical trouble"

@@ -3,15 +3,17 @@
 use clench_contact::{Contact, Order};
 use clench_screw::{Frame, Stiffness, Vector, Wrench};
 
-use crate::GraspError;
+use crate::{DeadLoad, GraspError};
 
-/// A body held by at least one contact; the fingers stand still, the body moves.
+/// A body held by at least one contact; the fingers stand still, the body moves. Dead loads such
+/// as its weight may act on it besides.
 ///
 /// Everything is written along the axes of the frame in which the contacts are given, about an
 /// origin that the caller chooses.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Grasp<const N: usize, const M: usize> {
     contacts: Vec<Contact<N, M>>,
+    loads: Vec<DeadLoad<N>>,
     centroid: Vector<N>,
     length: f64,
 }
@@ -37,13 +39,34 @@ impl<const N: usize, const M: usize> Grasp<N, M> {
         }
         let distance = |c: &Contact<N, M>| (c.overlap().point() - centroid).norm();
         let length = contacts.iter().map(distance).fold(0.0, f64::max);
-        Ok(Self { contacts, centroid, length })
+        Ok(Self { contacts, loads: Vec::new(), centroid, length })
+    }
+
+    /// The same grasp with `loads` acting on the body.
+    ///
+    /// # Errors
+    ///
+    /// [`GraspError::Load`] when a load or its torque about the centroid is not finite.
+    pub fn with_loads(mut self, loads: Vec<DeadLoad<N>>) -> Result<Self, GraspError> {
+        let finite =
+            |load: &DeadLoad<N>| load.is_finite() && load.stiffness::<M>(self.centroid).is_finite();
+        if let Some(load) = loads.iter().position(|load| !finite(load)) {
+            return Err(GraspError::Load { load });
+        }
+        self.loads = loads;
+        Ok(self)
     }
 
     /// The contacts, in the order given.
     #[must_use]
     pub fn contacts(&self) -> &[Contact<N, M>] {
         &self.contacts
+    }
+
+    /// The dead loads, in the order given.
+    #[must_use]
+    pub fn loads(&self) -> &[DeadLoad<N>] {
+        &self.loads
     }
 
     /// The mean of the contact points: a near origin to begin with.
@@ -71,31 +94,54 @@ impl<const N: usize, const M: usize> Grasp<N, M> {
         self.contacts.iter().map(Contact::preload).sum()
     }
 
-    /// The stiffness about `origin` [LBR, eq. 6].
+    /// The stiffness about `origin` [LBR, eq. 6]: to first order `K_1`, to second order
+    /// `K_1 + K_2`.
     ///
     /// Form it about an origin near the body: see [`Stiffness`]. To second order it is the Hessian
-    /// of the energy in the chart of the exponential map at `origin`, and changes frame by
-    /// congruence only if the contact forces balance ([`Grasp::equilibrium`]).
+    /// of the energy, loads included, in the chart of the exponential map at `origin`, and changes
+    /// frame by congruence only if contact forces and loads balance ([`Grasp::equilibrium`]).
     #[must_use]
     pub fn stiffness(&self, origin: Vector<N>, order: Order) -> Stiffness<N, M> {
-        self.contacts.iter().fold(Stiffness::ZERO, |sum, c| sum + c.stiffness(origin, order))
+        let contacts =
+            self.contacts.iter().fold(Stiffness::ZERO, |sum, c| sum + c.stiffness(origin, order));
+        match order {
+            Order::First => contacts,
+            Order::Second => contacts + self.load_stiffness(origin),
+        }
     }
 
-    /// The wrench of the contact forces on the body about `origin`: `-grad Pi` [LBR, eq. 5].
+    /// `K_2` about `origin`: what preload, curvature and loads add to the first-order stiffness,
+    /// `sum f D^2 delta` and the loads' share.
+    #[must_use]
+    pub fn preload_stiffness(&self, origin: Vector<N>) -> Stiffness<N, M> {
+        let share = |c: &Contact<N, M>| c.overlap().hessian(origin) * c.preload();
+        self.contacts.iter().fold(self.load_stiffness(origin), |sum, c| sum + share(c))
+    }
+
+    fn load_stiffness(&self, origin: Vector<N>) -> Stiffness<N, M> {
+        self.loads.iter().fold(Stiffness::ZERO, |sum, load| sum + load.stiffness(origin))
+    }
+
+    /// The wrench on the body about `origin` of contact forces and loads: `-grad Pi`
+    /// [LBR, eq. 5].
     #[must_use]
     pub fn net_wrench(&self, origin: Vector<N>) -> Wrench<N, M> {
-        self.contacts.iter().fold(Wrench::ZERO, |sum, c| sum + c.unit_wrench(origin) * c.preload())
+        let contacts = self.contacts.iter().map(|c| c.unit_wrench(origin) * c.preload());
+        let loads = self.loads.iter().map(|load| load.wrench(origin));
+        contacts.chain(loads).fold(Wrench::ZERO, |sum, w| sum + w)
     }
 
-    /// The elastic energy after the body has moved [LBR, eq. 4]; a finger that has come free
-    /// stores none.
+    /// The energy after the body has moved [LBR, eq. 4]: what the contacts store, a finger that
+    /// has come free nothing, and what the loads have gained.
     ///
-    /// `displacement` is the body's frame seen from where it is at rest, and may be finite as long
-    /// as each finger stays on its face.
+    /// `displacement` is the body's frame seen from where it is at rest. For how far it may reach
+    /// see [`Overlap::depth_after`](clench_contact::Overlap::depth_after).
     #[must_use]
     pub fn potential_energy(&self, displacement: &Frame<N, M>) -> f64 {
-        let energy =
+        let stored =
             |c: &Contact<N, M>| c.law().energy(c.overlap().depth_after(displacement).max(0.0));
-        self.contacts.iter().map(energy).sum()
+        let contacts: f64 = self.contacts.iter().map(stored).sum();
+        let loads: f64 = self.loads.iter().map(|load| load.energy_after(displacement)).sum();
+        contacts + loads
     }
 }

@@ -8,14 +8,14 @@
 //! pulled out.
 //!
 //! ```
-//! use clench_contact::{Contact, Law, Order};
+//! use clench_contact::{Contact, Geometry, Law, Order};
 //! use clench_screw::Vector;
 //! use clench_stiffness::{Grasp, Stability};
 //!
 //! // Four pointed fingers on a square of side 2, a little off the middle of its sides.
 //! let law = Law::linear(1.0)?;
 //! let finger = |x: f64, y: f64, nx: f64, ny: f64| {
-//!     Contact::<2, 1>::new(Vector::new([x, y]), Vector::new([nx, ny]), 0.0, law, 0.1)
+//!     Contact::<2, 1>::new(Geometry::on_face(Vector::new([x, y]), Vector::new([nx, ny]), 0.0), law, 0.1)
 //! };
 //! let grasp = Grasp::new(vec![
 //!     finger(0.5, -1.0, 0.0, 1.0)?,
@@ -31,6 +31,7 @@
 //! ```
 
 mod grasp;
+mod load;
 
 mod equilibrium;
 mod preloads;
@@ -41,5 +42,6 @@ mod error;
 pub use equilibrium::{BALANCED, Equilibrium};
 pub use error::GraspError;
 pub use grasp::Grasp;
+pub use load::DeadLoad;
 pub use preloads::{BestPreload, Preloads};
 pub use stability::Stability;

@@ -1,6 +1,6 @@
 //! The paper's examples, computed through the public crates.
 
-use clench::contact::{Contact, ContactError, Law, Order};
+use clench::contact::{Contact, ContactError, Geometry, Law, Order};
 use clench::metrics::{MetricsError, Principal};
 use clench::optimize::polygon::{
     FourFingers, Part, ThreeFingers, four_fingers, three_fingers, three_fingers_on,
@@ -85,7 +85,11 @@ fn figure_1(outline: &Polygon) -> Result<Grasp<2, 1>, PaperError> {
     let ends = [(0, 0.0), (0, 13.0), (1, outline.edges()[1].length()), (3, 0.0)];
     let contacts = ends.map(|(edge, along)| {
         let edge = &outline.edges()[edge];
-        Contact::new(edge.point_at(along), edge.inward_normal(), 0.0, law, 0.0)
+        Contact::new(
+            Geometry::on_face(edge.point_at(along), edge.inward_normal(), 0.0),
+            law.clone(),
+            0.0,
+        )
     });
     Ok(Grasp::new(contacts.into_iter().collect::<Result<_, _>>()?)?)
 }

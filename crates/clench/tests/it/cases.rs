@@ -1,6 +1,6 @@
 //! Every value of the planar grasp cases that needs no friction, from outline to quality.
 
-use clench::contact::{Contact, Law, Order};
+use clench::contact::{Contact, Geometry, Law, Order};
 use clench::metrics::{Principal, Quality, WorstPoint};
 use clench::screw::planar::Frame;
 use clench::screw::{Stiffness, Vector};
@@ -63,7 +63,12 @@ fn contact(outline: &Polygon, given: &Value) -> Contact<2, 1> {
     };
     let edge = &outline.edges()[usize::try_from(given["edge"].as_u64().unwrap()).unwrap()];
     let (point, normal) = (edge.point_at(number(&given["s"])), edge.inward_normal());
-    Contact::new(point, normal, number(&given["radius"]), law, number(&given["f"])).unwrap()
+    Contact::new(
+        Geometry::on_face(point, normal, number(&given["radius"])),
+        law,
+        number(&given["f"]),
+    )
+    .unwrap()
 }
 
 fn grasps() -> Vec<Case> {
@@ -91,7 +96,9 @@ fn contacts_and_stiffness_are_those_of_the_cases() {
             check(&overlap.point().to_array(), "b");
             check(&[overlap.depth()], "delta");
             check(&[contact.slope()], "fprime");
-            let center = overlap.finger_center() + case.frame.origin();
+            let radius = overlap.geometry().finger.radius().unwrap();
+            let center = overlap.point() - overlap.inward_normal() * (radius - overlap.depth())
+                + case.frame.origin();
             check(&center.to_array(), "finger_centre");
             let [x, y] = gradient.force.to_array();
             check(&[x, y, gradient.torque[0]], "grad");

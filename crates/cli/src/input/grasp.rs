@@ -1,6 +1,6 @@
 //! From the contacts of a file to a grasp.
 
-use clench::contact::{Contact, ContactError, Law};
+use clench::contact::{Contact, ContactError, Geometry, Law};
 use clench::optimize::polygon::Part;
 use clench::screw::Vector;
 use clench::shape::Edge;
@@ -173,7 +173,7 @@ impl Entry<'_> {
         let normal = self.part.outline().edges()[edge].inward_normal();
         let radius = self.given.finger.map_or(0.0, |finger| finger.radius.0);
         let preload = self.given.preload.map_or(0.0, |preload| preload.0);
-        Contact::new(self.point(), normal, radius, law, preload).map_err(|e| {
+        Contact::new(Geometry::on_face(self.point(), normal, radius), law, preload).map_err(|e| {
             let place = match e {
                 ContactError::Negative { .. } if preload < 0.0 => self.place().field("preload"),
                 ContactError::Negative { .. } => self.place().field("finger").field("radius"),

@@ -1,6 +1,7 @@
 //! The report on a grasp.
 
 use clench::screw::Vector;
+use clench::stiffness::Equilibrium;
 use serde::Serialize;
 
 use super::verdict::{free, pulling, reason, warnings};
@@ -193,23 +194,14 @@ fn contacts(analysis: &Analysis<'_>) -> Vec<AnalyzedContact> {
 
 fn equilibrium(analysis: &Analysis<'_>) -> EquilibriumReport {
     let about = analysis.grasp.net_wrench(analysis.frame.origin.into());
-    let [relative_force, relative_torque] = relative_residual(analysis);
+    let Equilibrium { holds, relative_force, relative_torque, .. } = analysis.equilibrium;
     EquilibriumReport {
-        holds: analysis.equilibrium.holds,
+        holds,
         residual_force: direction(analysis, about.force),
         residual_torque: plain(about.torque[0]),
         relative_force,
         relative_torque,
     }
-}
-
-/// What is left of the preloads' force and torque, relative to their total and to their total
-/// times the contacts' size: what decides whether they balance.
-pub(super) fn relative_residual(analysis: &Analysis<'_>) -> [f64; 2] {
-    let (grasp, residual) = (analysis.grasp, analysis.equilibrium.residual);
-    let (total, length) = (grasp.total_preload(), grasp.length());
-    let relative = |left: f64, scale: f64| if scale > 0.0 { left / scale } else { 0.0 };
-    [relative(residual.force.norm(), total), relative(residual.torque.norm(), total * length)]
 }
 
 fn metrics(analysis: &Analysis<'_>, metrics: &Metrics) -> MetricsReport {

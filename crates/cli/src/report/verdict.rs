@@ -5,7 +5,7 @@ use clench::metrics::MetricsError;
 use clench::stiffness::BALANCED;
 use clench::stiffness::Stability;
 
-use super::analysis::{FreeMotion, NO_SHARE, direction, point, relative_residual};
+use super::analysis::{FreeMotion, NO_SHARE, direction, point};
 use super::number::spot;
 use crate::analyze::Analysis;
 use crate::wording::digits;
@@ -89,8 +89,7 @@ fn free_to(analysis: &Analysis<'_>, motion: &str) -> String {
     if !(by_preload && first) || analysis.equilibrium.holds {
         return format!("the grasp is not stable: the part is free to {motion}");
     }
-    let [force, torque] = relative_residual(analysis);
-    let left = force.max(torque);
+    let left = analysis.equilibrium.relative_force.max(analysis.equilibrium.relative_torque);
     format!(
         "to first order the part is free to {motion}; the preloads would hold it, but are out of \
          balance by {left:.1e} of their total (at most {BALANCED:.1e} is allowed): give more \

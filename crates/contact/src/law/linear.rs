@@ -1,5 +1,6 @@
 //! `f = k delta`.
 
+use super::ForceLaw;
 use crate::ContactError;
 use crate::error::positive;
 
@@ -24,16 +25,22 @@ impl Linear {
     pub const fn stiffness(self) -> f64 {
         self.k
     }
+}
 
-    pub(super) fn force(self, overlap: f64) -> f64 {
+impl ForceLaw for Linear {
+    fn force(&self, overlap: f64) -> f64 {
         self.k * overlap
     }
 
-    pub(super) fn energy(self, overlap: f64) -> f64 {
+    fn slope(&self, _overlap: f64) -> f64 {
+        self.k
+    }
+
+    fn energy(&self, overlap: f64) -> f64 {
         0.5 * self.k * overlap * overlap
     }
 
-    pub(super) fn overlap(self, force: f64) -> f64 {
+    fn overlap(&self, force: f64) -> f64 {
         force / self.k
     }
 }

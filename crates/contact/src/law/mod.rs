@@ -1,12 +1,43 @@
 //! Force laws: the contact force as a function of the overlap.
 
+mod custom;
+mod hertz;
+mod line;
 mod linear;
 mod power;
 
+pub use custom::CustomLaw;
+pub use hertz::Hertz;
+pub use line::{Line, LineContact};
 pub use linear::Linear;
 pub use power::Power;
 
-use crate::ContactError;
+use std::fmt::Debug;
+
+use crate::{ContactError, Geometry};
+
+/// What a force law has to answer; implement it for one of your own, and wrap that in
+/// [`Law::custom`].
+///
+/// A law is increasing and starts at the origin. All numbers are in one consistent set of units.
+pub trait ForceLaw: Debug + Send + Sync {
+    /// The force `f(delta)` of an overlap that is not negative.
+    fn force(&self, overlap: f64) -> f64;
+
+    /// The slope `f'(delta)` (force / length).
+    fn slope(&self, overlap: f64) -> f64;
+
+    /// The energy, the integral of `f` from 0 to `delta` (force * length).
+    fn energy(&self, overlap: f64) -> f64;
+
+    /// The overlap at which the force is `force`, which is between 0 and [`Self::largest_force`].
+    fn overlap(&self, force: f64) -> f64;
+
+    /// The force up to which the law holds; infinite unless it says otherwise.
+    fn largest_force(&self) -> f64 {
+        f64::INFINITY
+    }
+}
 
 /// How the contact force `f` follows from the overlap `delta >= 0`.
 ///
@@ -17,13 +48,19 @@ use crate::ContactError;
 /// assert_eq!(law.overlap(12.0), 2.0);
 /// # Ok::<(), clench_contact::ContactError>(())
 /// ```
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum Law {
     /// `f = k delta` [LBR, eq. 3].
     Linear(Linear),
     /// `f = c delta^p`.
     Power(Power),
+    /// Hertz' law of two smooth elastic bodies that touch at a point.
+    Hertz(Hertz),
+    /// The law of a disc on a straight edge, which touch along a line through the thickness.
+    Line(Line),
+    /// A law of the caller's own.
+    Custom(CustomLaw),
 }
 
 impl Law {
@@ -45,39 +82,71 @@ impl Law {
         Power::new(coefficient, exponent).map(Self::Power)
     }
 
+    /// Hertz' law for the curvatures of finger and part in `geometry`, with the
+    /// `effective_modulus` `E*` (force / length^2) of [`effective_modulus`].
+    ///
+    /// # Errors
+    ///
+    /// Those of [`Hertz::of`].
+    ///
+    /// [`effective_modulus`]: crate::effective_modulus
+    pub fn hertz(effective_modulus: f64, geometry: &Geometry<3>) -> Result<Self, ContactError> {
+        Hertz::of(effective_modulus, geometry).map(Self::Hertz)
+    }
+
+    /// The law of a disc on a straight edge.
+    ///
+    /// # Errors
+    ///
+    /// Those of [`Line::new`].
+    pub fn line(contact: &LineContact) -> Result<Self, ContactError> {
+        Line::new(contact).map(Self::Line)
+    }
+
+    /// A law of the caller's own.
+    #[must_use]
+    pub fn custom(law: impl ForceLaw + 'static) -> Self {
+        Self::Custom(CustomLaw::new(law))
+    }
+
+    /// The law itself, whichever it is.
+    fn as_force_law(&self) -> &dyn ForceLaw {
+        match self {
+            Self::Linear(law) => law,
+            Self::Power(law) => law,
+            Self::Hertz(law) => law,
+            Self::Line(law) => law,
+            Self::Custom(law) => law.as_force_law(),
+        }
+    }
+
     /// The force `f(delta)` of an overlap that is not negative.
     #[must_use]
     pub fn force(&self, overlap: f64) -> f64 {
-        match self {
-            Self::Linear(law) => law.force(overlap),
-            Self::Power(law) => law.force(overlap),
-        }
+        self.as_force_law().force(overlap)
     }
 
     /// The slope `f'(delta)` (force / length).
     #[must_use]
     pub fn slope(&self, overlap: f64) -> f64 {
-        match self {
-            Self::Linear(law) => law.stiffness(),
-            Self::Power(law) => law.slope(overlap),
-        }
+        self.as_force_law().slope(overlap)
     }
 
     /// The energy, the integral of `f` from 0 to `delta` (force * length).
     #[must_use]
     pub fn energy(&self, overlap: f64) -> f64 {
-        match self {
-            Self::Linear(law) => law.energy(overlap),
-            Self::Power(law) => law.energy(overlap),
-        }
+        self.as_force_law().energy(overlap)
     }
 
-    /// The overlap at which the force is `force`, which is not negative.
+    /// The overlap at which the force is `force`, between 0 and [`Self::largest_force`].
     #[must_use]
     pub fn overlap(&self, force: f64) -> f64 {
-        match self {
-            Self::Linear(law) => law.overlap(force),
-            Self::Power(law) => law.overlap(force),
-        }
+        self.as_force_law().overlap(force)
+    }
+
+    /// The force up to which the law holds; infinite for all but [`Law::Line`].
+    #[must_use]
+    pub fn largest_force(&self) -> f64 {
+        self.as_force_law().largest_force()
     }
 }

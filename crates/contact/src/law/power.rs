@@ -1,5 +1,6 @@
 //! `f = c delta^p`.
 
+use super::ForceLaw;
 use crate::ContactError;
 use crate::error::positive;
 
@@ -34,20 +35,22 @@ impl Power {
     pub const fn exponent(&self) -> f64 {
         self.p
     }
+}
 
-    pub(super) fn force(&self, overlap: f64) -> f64 {
+impl ForceLaw for Power {
+    fn force(&self, overlap: f64) -> f64 {
         self.c * overlap.powf(self.p)
     }
 
-    pub(super) fn slope(&self, overlap: f64) -> f64 {
+    fn slope(&self, overlap: f64) -> f64 {
         self.c * self.p * overlap.powf(self.p - 1.0)
     }
 
-    pub(super) fn energy(&self, overlap: f64) -> f64 {
+    fn energy(&self, overlap: f64) -> f64 {
         self.c * overlap.powf(self.p + 1.0) / (self.p + 1.0)
     }
 
-    pub(super) fn overlap(&self, force: f64) -> f64 {
+    fn overlap(&self, force: f64) -> f64 {
         (force / self.c).powf(self.p.recip())
     }
 }

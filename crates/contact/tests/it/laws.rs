@@ -1,6 +1,6 @@
 //! Derivatives against finite differences of the actual geometry, and laws against their integrals.
 
-use clench_contact::{Contact, Law, Order};
+use clench_contact::{Contact, Geometry, Law, Order};
 use clench_screw::{Frame, Vector, planar, spatial};
 use clench_testkit::{Random, assert_all_close, assert_close};
 
@@ -14,7 +14,7 @@ fn law(r: &mut Random) -> Law {
 fn contact<const N: usize, const M: usize>(r: &mut Random) -> Contact<N, M> {
     let (point, normal) = (r.array(2.0).into(), r.array(1.0).into());
     let radius = [0.0, r.between(0.1, 1.0)][r.below(2)];
-    Contact::new(point, normal, radius, law(r), r.between(0.1, 1.0)).unwrap()
+    Contact::new(Geometry::on_face(point, normal, radius), law(r), r.between(0.1, 1.0)).unwrap()
 }
 
 /// The displacement `(d, exp(phi))` with the given `N + M` coordinates.
@@ -150,8 +150,10 @@ fn two_opposite_contacts_change_origin_like_a_stiffness() {
     for _ in 0..50 {
         let (point, normal): (Vector<2>, Vector<2>) = (r.array(1.0).into(), r.array(1.0).into());
         let law = Law::linear(2.0).unwrap();
-        let one = Contact::<2, 1>::new(point, normal, 0.3, law, 0.5).unwrap();
-        let other = Contact::new(point + normal * 2.0, -normal, 0.7, law, 0.5).unwrap();
+        let one =
+            Contact::<2, 1>::new(Geometry::on_face(point, normal, 0.3), law.clone(), 0.5).unwrap();
+        let other =
+            Contact::new(Geometry::on_face(point + normal * 2.0, -normal, 0.7), law, 0.5).unwrap();
         let origin: Vector<2> = r.array(5.0).into();
         let sum = |o| one.stiffness(o, Order::Second) + other.stiffness(o, Order::Second);
         let moved = sum(Vector::ZERO).in_frame(&Frame::at(origin));

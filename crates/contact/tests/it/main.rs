@@ -8,6 +8,7 @@
     reason = "a test that cannot go on fails, and exact results are compared exactly"
 )]
 
+mod cases;
 mod laws;
 mod limits;
 mod parry;

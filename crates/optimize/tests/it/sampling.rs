@@ -1,7 +1,7 @@
 //! The optimum against random placements and local ascent, which know nothing of the enumeration:
 //! contacts, their stiffness, the metrics, and the signs of the balancing forces.
 
-use clench_contact::{Contact, Law, Order};
+use clench_contact::{Contact, Geometry, Law, Order};
 use clench_metrics::{Principal, Quality};
 use clench_optimize::polygon::{
     FourFingers, Part, ThreeFingers, four_fingers, four_fingers_on, three_fingers_on,
@@ -22,7 +22,11 @@ pub(crate) fn grasp(part: &Part, edges: [usize; 4], along: [f64; 4]) -> Grasp<2,
     let contacts = edges.iter().zip(along).map(|(&e, t)| {
         let edge = &part.outline().edges()[e];
         let law = Law::linear(part.edge_stiffness()[e]).unwrap();
-        Contact::new(edge.point_at(t * edge.length()), edge.inward_normal(), 0.0, law, 0.0)
+        Contact::new(
+            Geometry::on_face(edge.point_at(t * edge.length()), edge.inward_normal(), 0.0),
+            law,
+            0.0,
+        )
     });
     Grasp::new(contacts.map(Result::unwrap).collect()).unwrap()
 }
@@ -138,7 +142,8 @@ fn a_reported_placement_has_the_reported_quality() {
             let law = Law::linear(part.edge_stiffness()[p.edge]).unwrap();
             let place = part.outline().place(p.point);
             assert!(place.distance <= 1e-14 * 3.0, "{}", place.distance);
-            Contact::<2, 1>::new(p.point, p.inward_normal, 0.0, law, p.share).unwrap()
+            Contact::<2, 1>::new(Geometry::on_face(p.point, p.inward_normal, 0.0), law, p.share)
+                .unwrap()
         });
         let grasp = Grasp::new(contacts.collect()).unwrap();
         assert!(grasp.equilibrium().holds);
@@ -192,7 +197,12 @@ fn three_fingers_match_a_grid_of_meeting_points_and_the_second_order_stiffness()
 
         let contacts = best.placements.iter().map(|p| {
             let law = Law::linear(part.edge_stiffness()[p.edge]).unwrap();
-            Contact::<2, 1>::new(p.point, p.inward_normal, radius, law, 0.01 * p.share).unwrap()
+            Contact::<2, 1>::new(
+                Geometry::on_face(p.point, p.inward_normal, radius),
+                law,
+                0.01 * p.share,
+            )
+            .unwrap()
         });
         let grasp = Grasp::new(contacts.collect()).unwrap();
         assert!(grasp.equilibrium().holds);

@@ -1,6 +1,6 @@
 //! Stiffness against the energy, and what no choice of frame, unit or order changes.
 
-use clench_contact::{Contact, Law, Order};
+use clench_contact::{Contact, Geometry, Law, Order};
 use clench_screw::{Frame, Stiffness, Vector, planar, spatial};
 use clench_stiffness::{Grasp, Stability};
 use clench_testkit::{Random, assert_close};
@@ -107,7 +107,8 @@ fn stiffness_obeys_its_laws_in_the_plane_and_in_space() {
 fn two_fingers_in_one_place_are_one_of_twice_the_stiffness() {
     let place = |k: f64, f: f64| {
         let (point, normal) = (Vector::new([1.0, 2.0]), Vector::new([0.6, 0.8]));
-        Contact::<2, 1>::new(point, normal, 0.5, Law::linear(k).unwrap(), f).unwrap()
+        Contact::<2, 1>::new(Geometry::on_face(point, normal, 0.5), Law::linear(k).unwrap(), f)
+            .unwrap()
     };
     let two = Grasp::new(vec![place(3.0, 0.5), place(3.0, 0.5)]).unwrap();
     let one = Grasp::new(vec![place(6.0, 1.0)]).unwrap();
@@ -130,7 +131,12 @@ fn lengths_and_forces_by_powers_of_four_change_the_units_exactly() {
             let contacts = places.iter().zip(&sizes).map(|([p, n], [radius, k, preload])| {
                 let law = Law::linear(k * f / l).unwrap();
                 let point = Vector::new(*p) * l;
-                Contact::<2, 1>::new(point, (*n).into(), radius * l, law, preload * f).unwrap()
+                Contact::<2, 1>::new(
+                    Geometry::on_face(point, (*n).into(), radius * l),
+                    law,
+                    preload * f,
+                )
+                .unwrap()
             });
             Grasp::new(contacts.collect()).unwrap()
         };
@@ -207,7 +213,12 @@ fn two_opposite_fingers_pinch_marginally_and_spread_unstably() {
         let law = Law::linear(10.0).unwrap();
         let finger = |y: f64| {
             let normal = Vector::new([0.0, y * direction]);
-            Contact::<2, 1>::new(Vector::new([0.0, y]), normal, radius, law, 1.0).unwrap()
+            Contact::<2, 1>::new(
+                Geometry::on_face(Vector::new([0.0, y]), normal, radius),
+                law.clone(),
+                1.0,
+            )
+            .unwrap()
         };
         Grasp::new(vec![finger(0.5), finger(-0.5)]).unwrap().stability()
     };

@@ -1,12 +1,13 @@
 //! Degenerate grasps, each with its exact answer or error.
 
-use clench_contact::{Contact, Law};
+use clench_contact::{Contact, Geometry, Law};
 use clench_screw::Vector;
 use clench_stiffness::{Grasp, GraspError, Stability};
 
 fn finger(x: f64, y: f64, nx: f64, ny: f64, preload: f64) -> Contact<2, 1> {
     let law = Law::linear(1.0).unwrap();
-    Contact::new(Vector::new([x, y]), Vector::new([nx, ny]), 0.0, law, preload).unwrap()
+    Contact::new(Geometry::on_face(Vector::new([x, y]), Vector::new([nx, ny]), 0.0), law, preload)
+        .unwrap()
 }
 
 #[test]

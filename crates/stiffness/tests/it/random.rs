@@ -1,6 +1,6 @@
 //! Random grasps in equilibrium, in the plane and in space.
 
-use clench_contact::{Contact, Law};
+use clench_contact::{Contact, Geometry, Law};
 use clench_screw::{Vector, Wrench, lever};
 use clench_stiffness::Grasp;
 use clench_testkit::Random;
@@ -26,7 +26,10 @@ pub(crate) fn balanced<const N: usize, const M: usize>(
         for side in [-1.0, 1.0] {
             let point = middle + normal * (side * r.between(0.5, 1.5));
             let radius = r.between(0.0, 0.8);
-            contacts.push(Contact::new(point, normal * -side, radius, law(r), preload).unwrap());
+            contacts.push(
+                Contact::new(Geometry::on_face(point, normal * -side, radius), law(r), preload)
+                    .unwrap(),
+            );
         }
     }
     Grasp::new(contacts).unwrap()

@@ -1,0 +1,103 @@
+//! How the boundary of a body is curved where it touches.
+
+use clench_screw::{Mat, Vector};
+
+use crate::ContactError;
+
+/// The boundary of a finger or a part at the contact, to second order.
+///
+/// Radii and curvatures are positive for convex bodies, negative for hollow ones.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Curvature<const N: usize>(Form<N>);
+
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Form<const N: usize> {
+    Round(f64),
+    Principal { radii: [f64; 2], along: Vector<N> },
+    Tensor(Mat<N, N>),
+}
+
+impl<const N: usize> Curvature<N> {
+    /// A plane face, or a straight edge.
+    pub const FLAT: Self = Self(Form::Round(f64::INFINITY));
+
+    /// A tip without extent: the point of a needle, or the corner of a part.
+    pub const POINTED: Self = Self(Form::Round(0.0));
+
+    /// A sphere or a disc of radius `radius` (length); 0 is pointed, infinity flat, and negative
+    /// the inside of a bore.
+    #[must_use]
+    pub const fn round(radius: f64) -> Self {
+        Self(Form::Round(radius))
+    }
+
+    /// The symmetric shape operator `L` (1 / length) along the axes of the frame; what it does
+    /// along the normal does not count.
+    #[must_use]
+    pub const fn of_shape_operator(operator: Mat<N, N>) -> Self {
+        Self(Form::Tensor(operator))
+    }
+
+    /// The radius of a round, pointed (0) or flat (infinite) boundary (length).
+    #[must_use]
+    pub const fn radius(&self) -> Option<f64> {
+        match self.0 {
+            Form::Round(radius) => Some(radius),
+            _ => None,
+        }
+    }
+}
+
+impl Curvature<3> {
+    /// The principal radii `radii` (length): the first in the direction `along` as seen in the
+    /// tangent plane, the second across it. An infinite radius is a straight line: `[r, inf]` is
+    /// a cylinder of radius `r` whose axis is across `along`.
+    #[must_use]
+    pub const fn principal(radii: [f64; 2], along: Vector<3>) -> Self {
+        Self(Form::Principal { radii, along })
+    }
+}
+
+/// The radii of curvature `S = x Y^-1` as a pair without infinities: `x >= 0` a number, `Y`
+/// symmetric in the tangent plane.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Radii<const N: usize> {
+    pub(crate) x: f64,
+    pub(crate) y: Mat<N, N>,
+}
+
+impl<const N: usize> Radii<N> {
+    /// The radii of `body` (named for errors) at a contact with the unit normal `n`;
+    /// `tangent` is `I - n n^T`.
+    pub(crate) fn new(
+        body: &'static str,
+        curvature: &Curvature<N>,
+        n: Vector<N>,
+        tangent: &Mat<N, N>,
+    ) -> Result<Self, ContactError> {
+        match curvature.0 {
+            Form::Round(r) if r.is_nan() || r == f64::NEG_INFINITY => {
+                Err(ContactError::Radius { body, value: r })
+            }
+            Form::Round(r) if r.is_infinite() => Ok(Self { x: 1.0, y: Mat::ZERO }),
+            Form::Round(r) => Ok(Self { x: r.abs(), y: *tangent * 1.0_f64.copysign(r + 0.0) }),
+            Form::Principal { radii, along } => {
+                let curvatures = radii.map(f64::recip);
+                for (value, curvature) in radii.into_iter().zip(curvatures) {
+                    if !(curvature.is_finite()) {
+                        return Err(ContactError::Radius { body, value });
+                    }
+                }
+                let along = along - n * n.dot(along);
+                let first = crate::geometry::unit(along)
+                    .ok_or(ContactError::NoPrincipalDirection { body })?;
+                let first = Mat::outer(first, first);
+                Ok(Self { x: 1.0, y: first * curvatures[0] + (*tangent - first) * curvatures[1] })
+            }
+            Form::Tensor(operator) if operator.is_finite() => {
+                Ok(Self { x: 1.0, y: *tangent * operator.symmetric_part() * *tangent })
+            }
+            Form::Tensor(_) => Err(ContactError::ShapeOperator { body }),
+        }
+    }
+}

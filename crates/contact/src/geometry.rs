@@ -1,0 +1,134 @@
+//! Where finger and part touch, and how both are curved there.
+
+use clench_screw::{Mat, SymmetricEigen, Vector};
+
+use crate::curvature::Radii;
+use crate::{ContactError, Curvature};
+
+/// The place of a contact: the deepest point of the part, the normal into the part, and the
+/// curvatures of both boundaries.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Geometry<const N: usize> {
+    /// `b`, the deepest point of the part's boundary (length).
+    pub point: Vector<N>,
+    /// `n`, the normal into the part, of any length.
+    pub inward_normal: Vector<N>,
+    /// The boundary of the finger at its own deepest point.
+    pub finger: Curvature<N>,
+    /// The boundary of the part at `b`.
+    pub part: Curvature<N>,
+}
+
+impl<const N: usize> Geometry<N> {
+    /// A disc or sphere of radius `radius`, 0 for a pointed finger, on a straight edge or a plane
+    /// face.
+    #[must_use]
+    pub const fn on_face(point: Vector<N>, inward_normal: Vector<N>, radius: f64) -> Self {
+        let (finger, part) = (Curvature::round(radius), Curvature::FLAT);
+        Self { point, inward_normal, finger, part }
+    }
+
+    /// The same with a normal of unit length.
+    pub(crate) fn checked(self) -> Result<Self, ContactError> {
+        let point = finite("contact point", self.point)?;
+        let normal = finite("inward normal", self.inward_normal)?;
+        let inward_normal = unit(normal).ok_or(ContactError::NoNormal)?;
+        Ok(Self { point, inward_normal, ..self })
+    }
+
+    /// The radii of curvature of finger and part, of a checked geometry.
+    pub(crate) fn radii(&self) -> Result<[Radii<N>; 2], ContactError> {
+        let n = self.inward_normal;
+        let tangent = self.tangent();
+        let finger = Radii::new("finger", &self.finger, n, &tangent)?;
+        let part = Radii::new("part", &self.part, n, &tangent)?;
+        Ok([finger, part])
+    }
+
+    /// `I - n n^T`, of a checked geometry.
+    pub(crate) fn tangent(&self) -> Mat<N, N> {
+        Mat::IDENTITY - Mat::outer(self.inward_normal, self.inward_normal)
+    }
+}
+
+/// The principal curvatures of the gap between finger and part: the eigenvalues of the sum of
+/// both shape operators, `2 A` and `2 B` of Hertz' theory.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct RelativeCurvature {
+    /// `2 A` (1 / length).
+    pub smaller: f64,
+    /// `2 B` (1 / length).
+    pub larger: f64,
+    /// The unit direction of the smaller one, along which the area of contact is longest; some
+    /// tangent direction when both are equal.
+    pub along: Vector<3>,
+}
+
+impl Geometry<3> {
+    /// The curvatures of the gap between finger and part.
+    ///
+    /// # Errors
+    ///
+    /// What [`Contact::new`](crate::Contact::new) finds wrong with a geometry;
+    /// [`ContactError::Radius`] for a pointed boundary, whose curvature is infinite.
+    ///
+    /// ```
+    /// use clench_contact::{Curvature, Geometry};
+    /// use clench_screw::Vector;
+    /// // A roller of radius 2 along y on a barrel of radius 4 along x.
+    /// let (x, y) = (Vector::new([1.0, 0.0, 0.0]), Vector::new([0.0, 1.0, 0.0]));
+    /// let crossed = Geometry {
+    ///     point: Vector::ZERO,
+    ///     inward_normal: Vector::new([0.0, 0.0, -1.0]),
+    ///     finger: Curvature::principal([2.0, f64::INFINITY], x),
+    ///     part: Curvature::principal([4.0, f64::INFINITY], y),
+    /// };
+    /// let relative = crossed.relative_curvature()?;
+    /// assert_eq!((relative.smaller, relative.larger, relative.along), (0.25, 0.5, y));
+    /// # Ok::<(), clench_contact::ContactError>(())
+    /// ```
+    pub fn relative_curvature(&self) -> Result<RelativeCurvature, ContactError> {
+        let checked = self.checked()?;
+        let [finger, part] = checked.radii()?;
+        for (body, radii) in [("finger", finger), ("part", part)] {
+            if radii.x <= 0.0 {
+                return Err(ContactError::Radius { body, value: 0.0 });
+            }
+        }
+        let sum = finger.y * finger.x.recip() + part.y * part.x.recip();
+        // A basis of the tangent plane, from the coordinate axis that is farthest from the normal.
+        let n = checked.inward_normal;
+        let least = (0..3).fold(0, |best, i| if n[i].abs() < n[best].abs() { i } else { best });
+        let axis = checked.tangent().column(least);
+        let first = axis * axis.norm().recip();
+        let second = clench_screw::spatial::cross(n, first);
+        let entry = |a: Vector<3>, b: Vector<3>| a.dot(sum * b);
+        let eigen = SymmetricEigen::new(&Mat::new([
+            [entry(first, first), entry(first, second)],
+            [entry(second, first), entry(second, second)],
+        ]))?;
+        let [s, t] = eigen.vectors[0].to_array();
+        let [smaller, larger] = eigen.values;
+        Ok(RelativeCurvature { smaller, larger, along: first * s + second * t })
+    }
+}
+
+fn finite<const N: usize>(
+    parameter: &'static str,
+    vector: Vector<N>,
+) -> Result<Vector<N>, ContactError> {
+    match (0..N).find(|&axis| !vector[axis].is_finite()) {
+        Some(axis) => Err(ContactError::NotFinite { parameter, axis, value: vector[axis] }),
+        None => Ok(vector),
+    }
+}
+
+/// `vector` at unit length; divided by its largest component first, so that no square underflows.
+pub(crate) fn unit<const N: usize>(vector: Vector<N>) -> Option<Vector<N>> {
+    let size = vector.max_abs();
+    if !(size > 0.0 && size.is_finite()) {
+        return None;
+    }
+    let scaled = Vector::from_fn(|i| vector[i] / size);
+    Some(scaled * scaled.norm().recip())
+}

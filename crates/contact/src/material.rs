@@ -1,0 +1,82 @@
+//! Elastic constants of common materials.
+
+use crate::{ContactError, Elastic};
+
+/// A material with its elastic constants, in SI units.
+///
+/// The values are typical ones for small strains at room temperature; where a contact matters, use
+/// those of the batch. Rubbers are linear for a few percent of strain only.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Material {
+    /// The name by which [`Material::named`] finds it.
+    pub name: &'static str,
+    /// `E`, in pascals.
+    pub young_modulus_pa: f64,
+    /// `nu`.
+    pub poisson_ratio: f64,
+    /// Where the values are from; the tags are those of `docs/sources.md`.
+    pub source: &'static str,
+}
+
+/// A consistent set of units, by its units of length and force in SI units.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Units {
+    /// The unit of length, in meters: 1e-3 for millimeters.
+    pub length_m: f64,
+    /// The unit of force, in newtons.
+    pub force_n: f64,
+}
+
+impl Material {
+    /// All materials known here.
+    pub const ALL: [Self; 16] = [
+        Self::gpa("steel", 207.0, 0.30, "Callister, table B.2: A36 207; 0.30 typical"),
+        Self::gpa("stainless steel", 193.0, 0.29, "Callister, table B.2: 304; 0.27 to 0.30"),
+        Self::gpa("tool steel", 210.0, 0.30, "typical of hardened steels, 200 to 215"),
+        Self::gpa("cast iron", 110.0, 0.26, "Callister, table B.2: gray, 66 to 138 by grade"),
+        Self::gpa("aluminium 6061", 69.0, 0.33, "Callister, table B.2; FreeCAD materials"),
+        Self::gpa("aluminium 7075", 71.7, 0.33, "FreeCAD materials, after ASM"),
+        Self::gpa("brass", 101.0, 0.35, "Dowling, table 5.2"),
+        Self::gpa("copper", 115.0, 0.34, "Callister, table B.2: C11000; 0.34 to 0.35"),
+        Self::gpa("titanium", 113.8, 0.342, "Ti-6Al-4V, MatWeb"),
+        Self::gpa("carbide", 630.0, 0.24, "tungsten carbide with cobalt, 550 to 650"),
+        Self::gpa("silicon nitride", 310.0, 0.27, "hot pressed; Callister, table B.2: 304"),
+        Self::gpa("alumina", 375.0, 0.22, "99.5 %; Dowling, table 5.2: 400, 0.22"),
+        Self::gpa("nylon", 2.7, 0.41, "nylon 66, dry; Dowling, table 5.2"),
+        Self::gpa("acetal", 2.66, 0.363, "POM copolymer; FreeCAD materials"),
+        Self::gpa("ptfe", 0.5, 0.46, "Callister, table B.2: 0.40 to 0.55"),
+        Self::gpa("rubber", 0.002, 0.495, "natural, soft; 0.001 to 0.01 by hardness"),
+    ];
+
+    const fn gpa(name: &'static str, gpa: f64, nu: f64, source: &'static str) -> Self {
+        Self { name, young_modulus_pa: gpa * 1e9, poisson_ratio: nu, source }
+    }
+
+    /// The material called `name` in [`Material::ALL`].
+    ///
+    /// # Errors
+    ///
+    /// [`ContactError::UnknownMaterial`], whose message lists the names.
+    pub fn named(name: &str) -> Result<Self, ContactError> {
+        let found = Self::ALL.into_iter().find(|material| material.name == name);
+        found.ok_or(ContactError::UnknownMaterial)
+    }
+
+    /// The elastic constants in the caller's units.
+    ///
+    /// # Errors
+    ///
+    /// Those of [`Elastic::new`], when the units are not positive or out of all proportion.
+    ///
+    /// ```
+    /// use clench_contact::{Material, Units};
+    /// let units = Units { length_m: 1e-3, force_n: 1.0 };
+    /// let steel = Material::named("steel")?.elastic(units)?;
+    /// assert!((steel.young_modulus() - 207e3).abs() < 1e-6); // N/mm^2
+    /// # Ok::<(), clench_contact::ContactError>(())
+    /// ```
+    pub fn elastic(&self, units: Units) -> Result<Elastic, ContactError> {
+        let area = units.length_m * units.length_m;
+        Elastic::new(self.young_modulus_pa * area / units.force_n, self.poisson_ratio)
+    }
+}
