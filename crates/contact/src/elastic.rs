@@ -58,5 +58,7 @@ impl Elastic {
 /// ```
 #[must_use]
 pub fn effective_modulus(finger: Elastic, part: Elastic) -> f64 {
-    (finger.plane_strain_modulus().recip() + part.plane_strain_modulus().recip()).recip()
+    let (one, other) = (finger.plane_strain_modulus(), part.plane_strain_modulus());
+    let (soft, stiff) = (one.min(other), one.max(other));
+    soft / (1.0 + soft / stiff)
 }

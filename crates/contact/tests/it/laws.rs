@@ -1,13 +1,29 @@
 //! Derivatives against finite differences of the actual geometry, and laws against their integrals.
 
-use clench_contact::{Contact, Geometry, Law, Order};
-use clench_screw::{Frame, Vector, planar, spatial};
+use clench_contact::{
+    Contact, Curvature, Elastic, ForceLaw, Geometry, Hertz, Law, LineContact, Order,
+};
+use clench_screw::{Frame, Mat, SymmetricEigen, Vector, planar, spatial};
 use clench_testkit::{Random, assert_all_close, assert_close};
 
+fn elastic(r: &mut Random) -> Elastic {
+    Elastic::new(r.between(5.0, 20.0), r.between(0.0, 0.5)).unwrap()
+}
+
 fn law(r: &mut Random) -> Law {
-    match r.below(2) {
+    match r.below(4) {
         0 => Law::linear(r.between(0.5, 2.0)).unwrap(),
-        _ => Law::power(r.between(0.5, 2.0), r.between(1.0, 3.0)).unwrap(),
+        1 => Law::power(r.between(0.5, 2.0), r.between(1.0, 3.0)).unwrap(),
+        2 => {
+            let gap = [r.between(0.1, 1.0), r.between(1.0, 5.0)];
+            Law::Hertz(Hertz::elliptic(r.between(0.5, 2.0), gap).unwrap())
+        }
+        _ => {
+            let (finger, part) = (elastic(r), elastic(r));
+            let (radius, reference_depth) = (r.between(20.0, 40.0), r.between(20.0, 40.0));
+            let contact = LineContact { radius, thickness: 0.2, reference_depth, finger, part };
+            Law::line(&contact).unwrap()
+        }
     }
 }
 
@@ -163,4 +179,147 @@ fn two_opposite_contacts_change_origin_like_a_stiffness() {
             }
         }
     }
+}
+
+/// The ellipse becomes a circle without a jump: between equal curvatures and curvatures apart by a
+/// part `e`, stiffness and semi-axes differ by a part of the size of `e`.
+#[test]
+fn the_elliptic_law_tends_to_the_circular_one() {
+    let circle = Hertz::circular(100.0, 2.5).unwrap();
+    for e in [0.0, 1e-15, 1e-12, 1e-9, 1e-6, 1e-3] {
+        let law = Hertz::elliptic(100.0, [0.2, 0.2 * (1.0 + e)]).unwrap();
+        let (found, wanted) = (law.slope(0.01), circle.slope(0.01));
+        assert_close(found, wanted, 4e-15 + e, wanted, format!("slope at {e}"));
+        let [a, b] = law.semi_axes(0.01);
+        // b / a = 1 - 2 e / 3 to first order [math of Hertz: B / A = 1 + 3 m / 4].
+        assert_close(1.0 - b / a, 2.0 * e / 3.0, 4e-15 + e * e, 1.0, format!("axes at {e}"));
+        assert!(a >= b);
+    }
+}
+
+/// The steps of the solution for the ellipse end for any ratio of the curvatures.
+#[test]
+fn the_ellipse_satisfies_its_equation_for_any_ratio() {
+    for exponent in -12..=60 {
+        let ratio = 1.0 + 10.0_f64.powi(exponent);
+        let law = Hertz::elliptic(1.0, [1.0, ratio]).unwrap();
+        let [a, b] = law.semi_axes(1.0);
+        // Pressure times area is the force, whatever the shape.
+        let force = law.peak_pressure(1.0) * 2.0 / 3.0 * std::f64::consts::PI * a * b;
+        assert_close(force, law.force(1.0), 1e-14, law.force(1.0), format!("force at {ratio:e}"));
+        assert!(b <= a && b > 0.0, "{ratio:e}");
+    }
+}
+
+/// The Hessian grows with the radii of either body: flatter is stiffer.
+#[test]
+fn flatter_bodies_have_the_larger_hessian() {
+    let r = &mut Random::new(18);
+    for _ in 0..100 {
+        let (point, normal) = (r.array(1.0).into(), r.array(1.0).into());
+        let radii: [f64; 2] = [r.between(0.5, 2.0), r.between(0.5, 2.0)];
+        let other: [f64; 2] = [r.between(0.5, 2.0), r.between(0.5, 2.0)];
+        let (along, across) = (r.array(1.0).into(), r.array(1.0).into());
+        let grown = |radii: [f64; 2], by: f64| radii.map(|radius| radius + by);
+        let hessian = |finger, part| {
+            let place = Geometry {
+                point,
+                inward_normal: normal,
+                finger: Curvature::principal(finger, along),
+                part: Curvature::principal(part, across),
+            };
+            let contact = Contact::<3, 3>::overlapping(place, Law::linear(1.0).unwrap(), 0.2);
+            contact.unwrap().overlap().hessian(Vector::ZERO)
+        };
+        let before = hessian(radii, other);
+        for after in [hessian(grown(radii, 0.7), other), hessian(radii, grown(other, 0.7))] {
+            let change = after + before * -1.0;
+            let full = Mat::<6, 6>::from_fn(|i, j| change.entry(i, j));
+            let least = SymmetricEigen::new(&full).unwrap().values[0];
+            assert!(least >= -1e-14 * full.max_abs().max(1.0), "{least}");
+        }
+    }
+}
+
+/// Round fingers leave the coupling block without a trace, whatever the part, in any frame.
+#[test]
+fn round_fingers_have_a_coupling_block_without_trace() {
+    let r = &mut Random::new(19);
+    for _ in 0..100 {
+        let (p, q) = (r.between(-0.4, 2.0), r.between(-0.4, 2.0));
+        let place = Geometry {
+            point: r.array(2.0).into(),
+            inward_normal: r.array(1.0).into(),
+            finger: Curvature::round(r.between(0.0, 2.0)),
+            part: Curvature::principal([1.0 / p, 1.0 / q], r.array(1.0).into()),
+        };
+        let overlap = r.between(0.0, 0.3);
+        let contact = Contact::<3, 3>::overlapping(place, Law::linear(1.0).unwrap(), overlap);
+        let contact = contact.unwrap();
+        let hessian = contact.overlap().hessian(r.array::<3>(2.0).into());
+        let frame = spatial_chart(&r.array::<6>(1.0));
+        let coupling = hessian.in_frame(&Frame::at(Vector::ZERO)).coupling;
+        let size = hessian.rotational.max_abs().max(coupling.max_abs());
+        assert!(coupling.trace().abs() <= 1e-14 * size);
+        assert!(hessian.in_frame(&frame).coupling.trace().abs() <= 1e-13 * size);
+    }
+}
+
+/// One shape by several descriptions.
+#[test]
+fn equal_boundaries_have_equal_hessians_however_they_are_given() {
+    let normal = Vector::new([0.0, 0.6, 0.8]);
+    let hessian = |finger, part| {
+        let place =
+            Geometry { point: Vector::new([1.0, 2.0, 3.0]), inward_normal: normal, finger, part };
+        let law = Law::linear(1.0).unwrap();
+        *Contact::<3, 3>::overlapping(place, law, 0.1).unwrap().overlap()
+    };
+    let tangent = Mat::IDENTITY - Mat::outer(normal, normal);
+    let along = Vector::new([1.0, 0.3, -0.2]);
+    let same = [
+        Curvature::round(2.0),
+        Curvature::principal([2.0, 2.0], along),
+        Curvature::of_shape_operator(tangent * 0.5),
+        Curvature::of_shape_operator(Mat::IDENTITY * 0.5),
+    ];
+    for part in [Curvature::FLAT, Curvature::round(5.0), Curvature::round(-5.0)] {
+        let wanted = hessian(same[0], part).hessian(Vector::ZERO);
+        for finger in same {
+            let found = hessian(finger, part).hessian(Vector::ZERO);
+            for i in 0..6 {
+                for j in 0..6 {
+                    assert_close(found.entry(i, j), wanted.entry(i, j), 1e-14, 10.0, "entry");
+                }
+            }
+        }
+    }
+}
+
+/// A finger that presses on a corner of the part turns about it like a disc about a needle: the
+/// roles of a pointed finger and a pointed part are the same.
+#[test]
+fn a_pointed_part_is_a_pointed_finger_seen_from_the_part() {
+    let law = Law::linear(1.0).unwrap();
+    let point = Vector::new([0.4, -0.3]);
+    let corner = Geometry {
+        point,
+        inward_normal: Vector::new([0.6, 0.8]),
+        finger: Curvature::round(2.0),
+        part: Curvature::POINTED,
+    };
+    let contact = Contact::<2, 1>::overlapping(corner, law, 0.3).unwrap();
+    let hessian = contact.overlap().hessian(Vector::ZERO);
+    // delta = r - |b - c|, with c the center of the disc: along the tangent -1 / (r - delta).
+    let tangent = Vector::new([-0.8, 0.6]);
+    assert_close(
+        tangent.dot(hessian.translational * tangent),
+        -1.0 / 1.7,
+        1e-15,
+        1.0,
+        "sliding off the disc",
+    );
+    // About the corner nothing turns.
+    let about = contact.overlap().hessian(point);
+    assert!(about.coupling.max_abs() <= 1e-16 && about.rotational.max_abs() <= 1e-16);
 }

@@ -1,7 +1,10 @@
 //! What a contact refuses, each with its exact error.
 
-use clench_contact::{Contact, ContactError, Geometry, Law, Order};
-use clench_screw::Vector;
+use clench_contact::{
+    Contact, ContactError, Curvature, Elastic, ForceLaw, Geometry, Hertz, Law, Line, LineContact,
+    Material, Order, Units, effective_modulus,
+};
+use clench_screw::{Mat, Vector};
 
 fn contact(
     point: [f64; 2],
@@ -76,4 +79,167 @@ fn without_preload_both_orders_agree() {
     let free = contact([1.0, 2.0], [3.0, 4.0], 0.5, &law, 0.0).unwrap();
     let origin = Vector::ZERO;
     assert_eq!(free.stiffness(origin, Order::First), free.stiffness(origin, Order::Second));
+}
+
+fn solid(finger: Curvature<3>, part: Curvature<3>, overlap: f64) -> Result<(), ContactError> {
+    let (point, inward_normal) = (Vector::ZERO, Vector::new([0.0, 0.0, 1.0]));
+    let place = Geometry { point, inward_normal, finger, part };
+    Contact::<3, 3>::overlapping(place, Law::linear(1.0).unwrap(), overlap).map(|_| ())
+}
+
+#[test]
+fn boundaries_that_do_not_open_a_gap_are_refused() {
+    let x = Vector::new([1.0, 0.0, 0.0]);
+    let cylinder = |along| Curvature::principal([1.0, f64::INFINITY], along);
+    let round = Curvature::round;
+    let no_gap = |relative_curvature| Err(ContactError::NoGap { relative_curvature });
+    assert_eq!(solid(Curvature::FLAT, Curvature::FLAT, 0.0), no_gap(0.0));
+    // A needle on a corner has no normal of its own.
+    assert_eq!(solid(Curvature::POINTED, Curvature::POINTED, 0.0), no_gap(0.0));
+    // A ball in a socket of its own size, or a smaller one; in a larger one it is held.
+    assert_eq!(solid(round(2.0), round(-2.0), 0.0), no_gap(0.0));
+    assert_eq!(solid(round(4.0), round(-2.0), 0.0), no_gap(-0.25));
+    assert_eq!(solid(round(1.0), round(-2.0), 0.1), Ok(()));
+    // Cylinders touch in a point when they cross, along a line when they are parallel.
+    assert_eq!(solid(cylinder(x), cylinder(x), 0.1), no_gap(0.0));
+    assert_eq!(solid(cylinder(x), cylinder(Vector::new([0.6, 0.8, 0.0])), 0.1), Ok(()));
+    // A needle reaches into any hollow, and a hollow finger holds a smaller ball.
+    assert_eq!(solid(Curvature::POINTED, round(-0.1), 0.0), Ok(()));
+    assert_eq!(solid(round(-3.0), round(2.0), 0.1), Ok(()));
+    let saddle = Curvature::principal([1.0, -0.5], x);
+    assert_eq!(solid(round(1.0), saddle, 0.0), no_gap(-1.0));
+}
+
+/// Two convex bodies may overlap up to the sum of their least radii, in the same direction; a
+/// finger in a hollow as deep as its own radius, where its center would reach the boundary, and
+/// on, as long as the finger's center is not at the hollow's.
+#[test]
+fn overlaps_are_less_than_the_radii_allow() {
+    let x = Vector::new([1.0, 0.0, 0.0]);
+    let too_deep = |depth, limit| Err(ContactError::TooDeep { depth, limit });
+    let round = Curvature::round;
+    assert_eq!(solid(round(1.0), round(2.0), 2.9), Ok(()));
+    assert_eq!(solid(round(1.0), round(2.0), 3.0), too_deep(3.0, 3.0));
+    assert_eq!(solid(Curvature::POINTED, round(2.0), 1.9), Ok(()));
+    assert_eq!(solid(Curvature::POINTED, round(2.0), 2.5), too_deep(2.5, 2.0));
+    assert_eq!(solid(round(1.0), Curvature::FLAT, 1e9), Ok(()));
+    // The least sum of radii in one direction counts: 1 + 2.
+    let [finger, part] = [[1.0, 4.0], [2.0, 3.0]].map(|radii| Curvature::principal(radii, x));
+    assert_eq!(solid(finger, part, 2.9), Ok(()));
+    let found = solid(finger, part, 3.5);
+    assert!(matches!(
+        found,
+        Err(ContactError::TooDeep { depth: 3.5, limit }) if (limit - 3.0).abs() < 1e-14
+    ));
+}
+
+#[test]
+fn a_boundary_names_what_is_wrong_with_it() {
+    let (x, z) = (Vector::new([1.0, 0.0, 0.0]), Vector::new([0.0, 0.0, 2.0]));
+    let bad = |curvature| solid(curvature, Curvature::FLAT, 0.0);
+    let nan = bad(Curvature::round(f64::NAN));
+    assert!(matches!(nan, Err(ContactError::Radius { body: "finger", value }) if value.is_nan()));
+    let value = f64::NEG_INFINITY;
+    let found = bad(Curvature::round(value));
+    assert_eq!(found, Err(ContactError::Radius { body: "finger", value }));
+    let found = solid(Curvature::round(1.0), Curvature::principal([0.0, 1.0], x), 0.0);
+    assert_eq!(found, Err(ContactError::Radius { body: "part", value: 0.0 }));
+    for along in [z, Vector::ZERO, Vector::new([f64::NAN, 0.0, 0.0])] {
+        let found = bad(Curvature::principal([1.0, 2.0], along));
+        assert_eq!(found, Err(ContactError::NoPrincipalDirection { body: "finger" }));
+    }
+    let found = bad(Curvature::of_shape_operator(Mat::IDENTITY * f64::INFINITY));
+    assert_eq!(found, Err(ContactError::ShapeOperator { body: "finger" }));
+    let found = solid(Curvature::round(1.0), Curvature::FLAT, -0.1);
+    assert_eq!(found, Err(ContactError::Negative { parameter: "overlap", value: -0.1 }));
+}
+
+#[test]
+fn hertz_needs_smooth_bodies_and_a_preload() {
+    let (point, inward_normal) = (Vector::ZERO, Vector::new([0.0, 0.0, 1.0]));
+    let place = |finger, part| Geometry { point, inward_normal, finger, part };
+    let ball = place(Curvature::round(2.0), Curvature::FLAT);
+    let law = Law::hertz(100.0, &ball).unwrap();
+    let found = Contact::<3, 3>::new(ball, law, 0.0);
+    assert_eq!(found, Err(ContactError::NoStiffness { slope: 0.0 }));
+    let found = Law::hertz(100.0, &place(Curvature::POINTED, Curvature::FLAT));
+    assert_eq!(found, Err(ContactError::Radius { body: "finger", value: 0.0 }));
+    // A cylinder on a face touches along a line.
+    let along = Vector::new([1.0, 0.0, 0.0]);
+    let cylinder = Curvature::principal([1.0, f64::INFINITY], along);
+    let found = Law::hertz(100.0, &place(cylinder, Curvature::FLAT));
+    let parameter = "smaller relative curvature";
+    assert_eq!(found, Err(ContactError::NotPositive { parameter, value: 0.0 }));
+    let found = Hertz::elliptic(1.0, [2.0, 1.0]);
+    assert_eq!(found, Err(ContactError::NoEllipse { smaller: 2.0, larger: 1.0 }));
+    let found = Hertz::elliptic(1.0, [1e-300, 1e300]);
+    assert!(matches!(found, Err(ContactError::NoEllipse { .. })), "{found:?}");
+    let found = Hertz::circular(0.0, 1.0);
+    let parameter = "effective modulus";
+    assert_eq!(found, Err(ContactError::NotPositive { parameter, value: 0.0 }));
+    let huge = Curvature::of_shape_operator(Mat::IDENTITY * f64::MAX);
+    let found = place(huge, huge).relative_curvature();
+    assert!(matches!(found, Err(ContactError::Screw(_))), "{found:?}");
+}
+
+#[test]
+fn elastic_constants_are_those_of_a_material() {
+    let parameter = "Young's modulus";
+    let found = Elastic::new(0.0, 0.3);
+    assert_eq!(found, Err(ContactError::NotPositive { parameter, value: 0.0 }));
+    for value in [-1.0, 0.6] {
+        assert_eq!(Elastic::new(1.0, value), Err(ContactError::PoissonRatio { value }));
+    }
+    assert!(matches!(
+        Elastic::new(1.0, f64::NAN),
+        Err(ContactError::PoissonRatio { value }) if value.is_nan()
+    ));
+    // Incompressible, against itself.
+    let rubber = Elastic::new(3.0, 0.5).unwrap();
+    assert_eq!(effective_modulus(rubber, rubber), 2.0);
+    let units = Units { length_m: 1e-3, force_n: 1.0 };
+    for material in Material::ALL {
+        let found = Material::named(material.name).unwrap().elastic(units).unwrap();
+        assert!(found.young_modulus() > 1.0 && found.young_modulus() < 1e6, "{material:?}");
+    }
+    let found = Material::named("wood");
+    assert_eq!(found, Err(ContactError::UnknownMaterial));
+    assert!(found.unwrap_err().to_string().contains("known are steel, stainless steel, "));
+    let nowhere = Units { length_m: 0.0, force_n: 1.0 };
+    let parameter = "Young's modulus";
+    let found = Material::ALL[0].elastic(nowhere);
+    assert_eq!(found, Err(ContactError::NotPositive { parameter, value: 0.0 }));
+}
+
+#[test]
+fn the_line_law_ends_at_its_largest_force() {
+    let body = Elastic::new(100.0, 0.5).unwrap();
+    let disc =
+        LineContact { radius: 3.0, thickness: 2.0, reference_depth: 5.0, finger: body, part: body };
+    let law = Line::new(&disc).unwrap();
+    let (end, largest) = (law.largest_overlap(), law.largest_force());
+    assert!((law.force(end) - largest).abs() <= 1e-14 * largest);
+    assert_eq!(law.force(2.0 * end), law.force(end));
+    let place = || Geometry::on_face(Vector::ZERO, Vector::new([0.0, 1.0]), 3.0);
+    for beyond in [largest, 2.0 * largest] {
+        let found = Contact::<2, 1>::new(place(), Law::Line(law), beyond);
+        assert_eq!(found, Err(ContactError::BeyondLaw { force: beyond, largest }));
+    }
+    assert!(Contact::<2, 1>::overlapping(place(), Law::Line(law), 2.0 * end).is_err());
+    let found = Contact::<2, 1>::new(place(), Law::Line(law), 0.0);
+    assert_eq!(found, Err(ContactError::NoStiffness { slope: 0.0 }));
+    for (wrong, parameter) in [
+        (LineContact { radius: 0.0, ..disc }, "disc radius"),
+        (LineContact { thickness: 0.0, ..disc }, "thickness"),
+        (LineContact { reference_depth: 0.0, ..disc }, "reference depth"),
+    ] {
+        let found = Line::new(&wrong);
+        assert_eq!(found, Err(ContactError::NotPositive { parameter, value: 0.0 }));
+    }
+    let tiny = LineContact { radius: 1e-300, reference_depth: 1e-300, ..disc };
+    let found = Line::new(&LineContact { thickness: 1e-300, ..tiny });
+    assert!(matches!(
+        found,
+        Err(ContactError::NotPositive { parameter: "largest force", value: 0.0 })
+    ));
 }

@@ -9,6 +9,8 @@
 )]
 
 mod cases;
+mod known;
 mod laws;
 mod limits;
 mod parry;
+mod surfaces;
