@@ -13,9 +13,9 @@
 //! use clench_stiffness::{Grasp, Stability};
 //!
 //! // Four pointed fingers on a square of side 2, a little off the middle of its sides.
-//! let law = Law::linear(1.0)?;
 //! let finger = |x: f64, y: f64, nx: f64, ny: f64| {
-//!     Contact::<2, 1>::new(Geometry::on_face(Vector::new([x, y]), Vector::new([nx, ny]), 0.0), law, 0.1)
+//!     let place = Geometry::on_face(Vector::new([x, y]), Vector::new([nx, ny]), 0.0);
+//!     Contact::<2, 1>::new(place, Law::linear(1.0)?, 0.1)
 //! };
 //! let grasp = Grasp::new(vec![
 //!     finger(0.5, -1.0, 0.0, 1.0)?,

@@ -1,11 +1,11 @@
 //! Stiffness against the energy, and what no choice of frame, unit or order changes.
 
-use clench_contact::{Contact, Geometry, Law, Order};
+use clench_contact::{Contact, Curvature, Geometry, Law, Order};
 use clench_screw::{Frame, Stiffness, Vector, planar, spatial};
-use clench_stiffness::{Grasp, Stability};
+use clench_stiffness::{DeadLoad, Grasp, GraspError, Stability};
 use clench_testkit::{Random, assert_close};
 
-use crate::random::{balanced, net_wrench};
+use crate::random::{balanced, balanced_and_curved, loaded, net_wrench};
 
 fn largest<const N: usize, const M: usize>(k: &Stiffness<N, M>) -> f64 {
     k.translational.max_abs().max(k.coupling.max_abs()).max(k.rotational.max_abs())
@@ -37,63 +37,95 @@ fn spatial_chart(q: &[f64]) -> spatial::Frame {
     spatial::Frame::new([q[0], q[1], q[2]], [q[3], q[4], q[5]])
 }
 
+/// K is the second derivative of the energy, in and out of balance: central differences of step
+/// h err by h^2 times fourth derivatives and by eps / h^2 times the energy, both below 1e-4 here.
+fn check_energy<const N: usize, const M: usize>(
+    grasp: &Grasp<N, M>,
+    origin: Vector<N>,
+    chart: Chart<N, M>,
+) {
+    let stiffness = grasp.stiffness(origin, Order::Second);
+    let about = |q: &[f64]| Frame::at(origin) * chart(q) * Frame::at(-origin);
+    let h = 1e-3;
+    let energy = |i: usize, s: f64, j: usize, t: f64| {
+        let mut q = vec![0.0; N + M];
+        q[i] += s * h;
+        q[j] += t * h;
+        grasp.potential_energy(&about(&q))
+    };
+    for i in 0..N + M {
+        for j in 0..N + M {
+            let mixed = energy(i, 1.0, j, 1.0) - energy(i, 1.0, j, -1.0) - energy(i, -1.0, j, 1.0)
+                + energy(i, -1.0, j, -1.0);
+            let what = format!("energy ({i}, {j})");
+            let expected = mixed / (4.0 * h * h);
+            assert_close(stiffness.entry(i, j), expected, 1e-4, largest(&stiffness), what);
+        }
+    }
+}
+
+/// What holds for balanced grasps, whatever the boundaries.
+fn check_balanced<const N: usize, const M: usize>(
+    r: &mut Random,
+    grasp: &Grasp<N, M>,
+    chart: Chart<N, M>,
+) {
+    assert!(grasp.equilibrium().holds);
+    assert_eq!(grasp.equilibrium().required(), Ok(()));
+    check_energy(grasp, Vector::ZERO, chart);
+
+    // K changes frame by congruence, wherever it is formed.
+    let stiffness = grasp.stiffness(Vector::ZERO, Order::Second);
+    let origin = chart(&r.array::<6>(2.0)[..N + M]).origin();
+    let moved = stiffness.in_frame(&Frame::at(origin));
+    same(&grasp.stiffness(origin, Order::Second), &moved, 1e-13, "congruence");
+
+    // It is the sum of its parts.
+    let first = grasp.stiffness(origin, Order::First);
+    same(&(first + grasp.preload_stiffness(origin)), &moved, 1e-13, "parts");
+
+    // The order of the contacts does not matter beyond rounding.
+    let mut reversed = grasp.contacts().to_vec();
+    reversed.reverse();
+    let reversed = Grasp::new(reversed).unwrap().with_loads(grasp.loads().to_vec()).unwrap();
+    same(&reversed.stiffness(origin, Order::Second), &moved, 1e-13, "permutation");
+}
+
+/// What holds for round fingers on flat faces besides.
+fn check_flat<const N: usize, const M: usize>(
+    r: &mut Random,
+    grasp: &Grasp<N, M>,
+    chart: Chart<N, M>,
+) {
+    let stiffness = grasp.stiffness(Vector::ZERO, Order::Second);
+    let frame = chart(&r.array::<6>(2.0)[..N + M]);
+
+    // K_2 is purely rotational and does not depend on the origin.
+    let here = grasp.preload_stiffness(Vector::ZERO);
+    let there = grasp.preload_stiffness(frame.origin());
+    let scale = largest(&stiffness);
+    assert!(here.coupling.max_abs() <= 1e-14 * scale);
+    assert!(here.translational.max_abs() <= 0.0);
+    assert!((here.rotational + there.rotational * -1.0).max_abs() <= 1e-13 * scale);
+
+    // The coupling block has no trace, in any frame (space only).
+    if N == M {
+        let moved = stiffness.in_frame(&frame);
+        let trace: f64 = (0..N).map(|i| moved.coupling[i][i]).sum();
+        assert_close(trace, 0.0, 1e-13, largest(&moved), "tr K_12");
+    }
+}
+
 fn laws<const N: usize, const M: usize>(chart: Chart<N, M>, seed: u64) {
     let r = &mut Random::new(seed);
     for _ in 0..20 {
-        let grasp = balanced::<N, M>(r, 4);
-        assert!(grasp.equilibrium().holds);
-        let stiffness = grasp.stiffness(Vector::ZERO, Order::Second);
-
-        // K is the second derivative of the energy: central differences of step h err by
-        // h^2 times fourth derivatives and by eps / h^2 times the energy, both below 1e-4 here.
-        let h = 1e-3;
-        let energy = |i: usize, s: f64, j: usize, t: f64| {
-            let mut q = vec![0.0; N + M];
-            q[i] += s * h;
-            q[j] += t * h;
-            grasp.potential_energy(&chart(&q))
-        };
-        let mut differences = Vec::new();
-        for i in 0..N + M {
-            for j in 0..N + M {
-                let mixed =
-                    energy(i, 1.0, j, 1.0) - energy(i, 1.0, j, -1.0) - energy(i, -1.0, j, 1.0)
-                        + energy(i, -1.0, j, -1.0);
-                differences.push((i, j, mixed / (4.0 * h * h)));
-            }
-        }
-        for (i, j, expected) in differences {
-            let what = format!("energy ({i}, {j})");
-            assert_close(stiffness.entry(i, j), expected, 1e-4, largest(&stiffness), what);
-        }
-
-        // In equilibrium K changes frame by congruence, wherever it is formed.
-        let frame = chart(&r.array::<6>(2.0)[..N + M]);
-        let origin = frame.origin();
-        let moved = stiffness.in_frame(&Frame::at(origin));
-        same(&grasp.stiffness(origin, Order::Second), &moved, 1e-13, "congruence");
-
-        // K_2 of flat faces is purely rotational and does not depend on the origin.
-        let curvature =
-            |o| grasp.stiffness(o, Order::Second) + grasp.stiffness(o, Order::First) * -1.0;
-        let (here, there) = (curvature(Vector::ZERO), curvature(origin));
-        let scale = largest(&stiffness);
-        assert!(here.coupling.max_abs() <= 1e-14 * scale);
-        assert!(here.translational.max_abs() <= 0.0);
-        assert!((here.rotational + there.rotational * -1.0).max_abs() <= 1e-13 * scale);
-
-        // Round fingers: the coupling block has no trace, in any frame (space only).
-        if N == M {
-            let trace: f64 = (0..N).map(|i| stiffness.in_frame(&frame).coupling[i][i]).sum();
-            assert_close(trace, 0.0, 1e-13, largest(&stiffness.in_frame(&frame)), "tr K_12");
-        }
-
-        // The order of the contacts does not matter beyond rounding, nor does a finger of
-        // stiffness 2 k and force 2 f in place of two that coincide.
-        let mut reversed = grasp.contacts().to_vec();
-        reversed.reverse();
-        let reversed = Grasp::new(reversed).unwrap();
-        same(&reversed.stiffness(origin, Order::Second), &moved, 1e-13, "permutation");
+        let flat = balanced::<N, M>(r, 4);
+        check_balanced(r, &flat, chart);
+        check_flat(r, &flat, chart);
+        let curved = balanced_and_curved::<N, M>(r, 4);
+        check_balanced(r, &curved, chart);
+        let loaded = loaded::<N, M>(r);
+        check_balanced(r, &loaded, chart);
     }
 }
 
@@ -225,4 +257,88 @@ fn two_opposite_fingers_pinch_marginally_and_spread_unstably() {
     assert_eq!(pair(-1.0, 0.0), Stability::Marginal);
     assert_eq!(pair(1.0, 0.1), Stability::Unstable);
     assert_eq!(pair(1.0, 0.7), Stability::Marginal);
+}
+
+/// Out of balance the stiffness about another origin is not the congruent one: it differs by what
+/// the residual force does along the way. Both are Hessians of the energy, each in its own chart.
+fn unbalanced_stiffness_moves_with_a_correction<const N: usize, const M: usize>(
+    chart: Chart<N, M>,
+    seed: u64,
+) {
+    let r = &mut Random::new(seed);
+    for _ in 0..20 {
+        let whole = loaded::<N, M>(r);
+        let grasp = Grasp::new(whole.contacts().to_vec()).unwrap();
+        let equilibrium = grasp.equilibrium();
+        assert!(!equilibrium.holds);
+        assert_eq!(
+            equilibrium.required(),
+            Err(GraspError::Unbalanced {
+                force: equilibrium.relative_force,
+                torque: equilibrium.relative_torque
+            })
+        );
+        let shift: Vector<N> = r.array(2.0).into();
+        check_energy(&grasp, Vector::ZERO, chart);
+        check_energy(&grasp, shift, chart);
+        let (here, there) =
+            (grasp.stiffness(Vector::ZERO, Order::Second), grasp.stiffness(shift, Order::Second));
+        // With the gradient g: (g . r) omega^2 - (g . omega) (r . omega), what a dead load g at r
+        // would add.
+        let residual = grasp.net_wrench(Vector::ZERO).force;
+        let missing = DeadLoad { point: shift, force: residual * -1.0 };
+        let corrected = (here + missing.stiffness(Vector::ZERO)).in_frame(&Frame::at(shift));
+        same(&there, &corrected, 1e-13, "correction");
+    }
+}
+
+#[test]
+fn an_unbalanced_stiffness_moves_with_a_correction_in_the_plane_and_in_space() {
+    unbalanced_stiffness_moves_with_a_correction(planar_chart, 26);
+    unbalanced_stiffness_moves_with_a_correction(spatial_chart, 27);
+}
+
+/// A weight that hangs below the fingers turns back, one above them topples: the share of a
+/// pendulum is weight times arm.
+#[test]
+fn a_weight_below_the_fingers_holds_and_one_above_topples() {
+    for (height, wanted) in [(-2.0, 6.0), (2.0, -6.0)] {
+        let weight =
+            DeadLoad { point: Vector::new([0.0, height]), force: Vector::new([0.0, -3.0]) };
+        assert_eq!(weight.stiffness::<1>(Vector::ZERO).rotational[0][0], wanted);
+        let turned = planar::Frame::new([0.0, 0.0], 0.1);
+        let energy = -3.0 * height * (1.0 - 0.1_f64.cos());
+        assert_close(weight.energy_after(&turned), energy, 1e-15, 1.0, "energy");
+    }
+}
+
+/// Two fingers of radius 5 pinch a part along a line, 20 apart, with 100 N and slopes of 1000:
+/// turning is resisted by 2 f (w + R) between flat faces, and on round faces of radius rho only if
+/// the part's centers of curvature are beyond each other, rho > w; sliding never is.
+#[test]
+fn a_pinched_part_turns_back_if_its_faces_are_flatter_than_its_width() {
+    let (w, radius, force) = (10.0, 5.0, 100.0);
+    for rho in [f64::INFINITY, 30.0, 8.0, -20.0] {
+        let finger = |side: f64| {
+            let place = Geometry {
+                point: Vector::new([side * w, 0.0]),
+                inward_normal: Vector::new([-side, 0.0]),
+                finger: Curvature::round(radius),
+                part: Curvature::round(rho),
+            };
+            // A law whose overlap vanishes beside the radii leaves the undeformed geometry.
+            let law = Law::power(1e21, 1.0).unwrap();
+            Contact::<2, 1>::new(place, law, force).unwrap()
+        };
+        let grasp = Grasp::new(vec![finger(1.0), finger(-1.0)]).unwrap();
+        let found = grasp.preload_stiffness(Vector::ZERO);
+        let (slide, turn) = if rho.is_infinite() {
+            (0.0, 2.0 * force * (w + radius))
+        } else {
+            let sum = radius + rho;
+            (-2.0 * force / sum, -2.0 * force * (w + radius) * (w - rho) / sum)
+        };
+        assert_close(found.translational[1][1], slide, 1e-13, force, format!("slide {rho}"));
+        assert_close(found.rotational[0][0], turn, 1e-13, force * w, format!("turn {rho}"));
+    }
 }

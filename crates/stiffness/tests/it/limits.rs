@@ -2,7 +2,7 @@
 
 use clench_contact::{Contact, Geometry, Law};
 use clench_screw::Vector;
-use clench_stiffness::{Grasp, GraspError, Stability};
+use clench_stiffness::{DeadLoad, Grasp, GraspError, Stability};
 
 fn finger(x: f64, y: f64, nx: f64, ny: f64, preload: f64) -> Contact<2, 1> {
     let law = Law::linear(1.0).unwrap();
@@ -19,6 +19,24 @@ fn a_grasp_needs_a_contact() {
 fn a_stiffness_that_overflows_is_refused_with_its_contact() {
     let contacts = vec![finger(0.0, 0.0, 1.0, 0.0, 0.0), finger(1e200, 1e200, 0.0, 1.0, 0.0)];
     assert_eq!(Grasp::new(contacts), Err(GraspError::OutOfRange { contact: 0 }));
+}
+
+#[test]
+fn a_load_that_is_not_finite_is_refused_with_its_number() {
+    let good = DeadLoad { point: Vector::ZERO, force: Vector::new([0.0, -1.0]) };
+    let grasp = || Grasp::new(vec![finger(0.0, 0.0, 0.0, 1.0, 1.0)]).unwrap();
+    for bad in [
+        DeadLoad { point: Vector::new([f64::NAN, 0.0]), ..good },
+        DeadLoad { force: Vector::new([0.0, f64::INFINITY]), ..good },
+        DeadLoad { point: Vector::new([1e200, 0.0]), force: Vector::new([1e200, 0.0]) },
+    ] {
+        let found = grasp().with_loads(vec![good, bad]);
+        assert_eq!(found, Err(GraspError::Load { load: 1 }));
+    }
+    // One finger carries a weight above it.
+    let carried = grasp().with_loads(vec![good]).unwrap();
+    assert!(carried.equilibrium().holds);
+    assert_eq!(grasp().equilibrium().relative_force, 1.0);
 }
 
 #[test]
