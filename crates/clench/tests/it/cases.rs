@@ -282,8 +282,12 @@ fn check_holding<const N: usize, const M: usize>(case: &Case<N, M>) {
 
 #[test]
 fn stability_and_preloads_are_those_of_the_cases() {
-    planar_cases().iter().for_each(|(case, _)| check_holding(case));
-    spatial_cases().iter().for_each(check_holding);
+    for (case, _) in planar_cases() {
+        check_holding(&case);
+    }
+    for case in spatial_cases() {
+        check_holding(&case);
+    }
 }
 
 #[test]
