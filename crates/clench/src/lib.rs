@@ -37,6 +37,9 @@
 //! assert!((quality.value - 1.1138).abs() < 5e-5);
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
+//!
+//! The guide is in `docs/guide` of the repository: *From material and geometry to stiffness* goes
+//! from elastic constants to the stability of a pinched bar.
 
 pub use clench_contact as contact;
 pub use clench_metrics as metrics;
@@ -50,4 +53,7 @@ pub use clench_stiffness as stiffness;
 mod documents {
     #[doc = include_str!("../../../README.md")]
     struct Readme;
+
+    #[doc = include_str!("../../../docs/guide/stiffness.md")]
+    struct Stiffness;
 }
