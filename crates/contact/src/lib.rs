@@ -6,7 +6,16 @@
 //!
 //! `f'(delta) grad grad^T + f(delta) D^2 delta`
 //!
-//! of the stiffness of a grasp [LBR, eq. 6]. This crate knows one contact at a time.
+//! of the stiffness of a grasp [LBR, eq. 6]. This crate knows one contact at a time. LBR is Lin,
+//! Burdick and Rimon, *A Quality Measure for Compliant Grasps*; Johnson is *Contact Mechanics*.
+//!
+//! | to get | use |
+//! | --- | --- |
+//! | a force law with given numbers | [`Law::linear`], [`Law::power`], [`ForceLaw`] for your own |
+//! | one from materials and curvatures | [`Elastic`], [`Material`], [`Law::hertz`], [`Law::line`] |
+//! | area, pressure and direction of an elliptic contact | [`Hertz`], [`Geometry::relative_curvature`] |
+//! | the overlap's gradient and Hessian | [`Geometry`] with [`Curvature`]s, [`Overlap`] |
+//! | one contact's stiffness | [`Contact`] |
 //!
 //! ```
 //! use clench_contact::{Contact, Geometry, Law, Order};
@@ -24,6 +33,12 @@
 //! assert_eq!(share.rotational[0][0], 10.0 * 2.0 * 2.0 + 1.0 * 0.4);
 //! # Ok::<(), clench_contact::ContactError>(())
 //! ```
+//!
+//! # When not to use it
+//!
+//! Contacts are frictionless, and elastic constants small-strain. Where finger and part touch has to
+//! be known: `clench-shape` finds the deepest points of two bodies. A pair that touches in more
+//! than one point, flat on flat, has no smooth overlap and is refused.
 
 mod elastic;
 mod law;
