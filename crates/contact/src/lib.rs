@@ -13,7 +13,7 @@
 //! | --- | --- |
 //! | a force law with given numbers | [`Law::linear`], [`Law::power`], [`ForceLaw`] for your own |
 //! | one from materials and curvatures | [`Elastic`], [`Material`], [`Law::hertz`], [`Law::line`] |
-//! | area, pressure and direction of an elliptic contact | [`Hertz`], [`Geometry::relative_curvature`] |
+//! | area and pressure of an elliptic contact | [`Hertz`], [`Geometry::relative_curvature`] |
 //! | the overlap's gradient and Hessian | [`Geometry`] with [`Curvature`]s, [`Overlap`] |
 //! | one contact's stiffness | [`Contact`] |
 //!
@@ -36,9 +36,9 @@
 //!
 //! # When not to use it
 //!
-//! Contacts are frictionless, and elastic constants small-strain. Where finger and part touch has to
-//! be known: `clench-shape` finds the deepest points of two bodies. A pair that touches in more
-//! than one point, flat on flat, has no smooth overlap and is refused.
+//! Contacts are frictionless, and elastic constants those of small strains. Where finger and part
+//! touch has to be known: `clench-shape` finds the deepest points of two bodies. A pair that
+//! touches in more than one point, flat on flat, has no smooth overlap and is refused.
 
 mod elastic;
 mod law;

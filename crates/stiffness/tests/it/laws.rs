@@ -1,7 +1,7 @@
 //! Stiffness against the energy, and what no choice of frame, unit or order changes.
 
 use clench_contact::{Contact, Curvature, Geometry, Law, Order};
-use clench_screw::{Frame, Stiffness, Vector, planar, spatial};
+use clench_screw::{Frame, Mat, Stiffness, Vector, planar, spatial};
 use clench_stiffness::{DeadLoad, Grasp, GraspError, Stability};
 use clench_testkit::{Random, assert_close};
 
@@ -135,52 +135,73 @@ fn stiffness_obeys_its_laws_in_the_plane_and_in_space() {
     laws(spatial_chart, 22);
 }
 
-#[test]
-fn two_fingers_in_one_place_are_one_of_twice_the_stiffness() {
-    let place = |k: f64, f: f64| {
-        let (point, normal) = (Vector::new([1.0, 2.0]), Vector::new([0.6, 0.8]));
-        Contact::<2, 1>::new(Geometry::on_face(point, normal, 0.5), Law::linear(k).unwrap(), f)
-            .unwrap()
+fn coincident_fingers_add<const N: usize, const M: usize>(seed: u64) {
+    let r = &mut Random::new(seed);
+    let axis: Vector<N> = r.array(1.0).into();
+    let place = Geometry {
+        point: r.array(2.0).into(),
+        inward_normal: r.array(1.0).into(),
+        finger: Curvature::round(0.5),
+        part: Curvature::of_shape_operator(Mat::outer(axis, axis)),
     };
-    let two = Grasp::new(vec![place(3.0, 0.5), place(3.0, 0.5)]).unwrap();
-    let one = Grasp::new(vec![place(6.0, 1.0)]).unwrap();
-    let about = Vector::new([0.5, 0.5]);
-    same(
-        &two.stiffness(about, Order::Second),
-        &one.stiffness(about, Order::Second),
-        1e-15,
-        "coincident",
-    );
+    let finger = |k: f64, f: f64| Contact::new(place, Law::linear(k).unwrap(), f).unwrap();
+    let two = Grasp::<N, M>::new(vec![finger(3.0, 0.5), finger(3.0, 0.5)]).unwrap();
+    let one = Grasp::<N, M>::new(vec![finger(6.0, 1.0)]).unwrap();
+    let about: Vector<N> = r.array(1.0).into();
+    let second = |grasp: &Grasp<N, M>| grasp.stiffness(about, Order::Second);
+    same(&second(&two), &second(&one), 1e-15, "coincident");
 }
 
 #[test]
-fn lengths_and_forces_by_powers_of_four_change_the_units_exactly() {
-    let r = &mut Random::new(23);
-    for (length, force) in [(4.0, 1.0), (1.0 / 64.0, 16.0), (4.0_f64.powi(15), 4.0_f64.powi(-9))] {
-        let places: Vec<[[f64; 2]; 2]> = (0..5).map(|_| [r.array(3.0), r.array(1.0)]).collect();
-        let sizes: Vec<[f64; 3]> = (0..5).map(|_| r.array::<3>(0.5).map(|x| x + 1.0)).collect();
+fn two_fingers_in_one_place_are_one_of_twice_the_stiffness() {
+    coincident_fingers_add::<2, 1>(28);
+    coincident_fingers_add::<3, 3>(29);
+}
+
+/// Powers of 64 are even powers of 2 and cubes, so that the roots of Hertz' law are exact too.
+fn units_change_exactly<const N: usize, const M: usize>(
+    seed: u64,
+    law: fn(&Geometry<N>, [f64; 2], f64) -> Law,
+) {
+    let r = &mut Random::new(seed);
+    let units = [(64.0, 1.0), (1.0 / 64.0, 64.0), (64.0_f64.powi(5), 64.0_f64.powi(-3))];
+    for (length, force) in units {
+        let places: Vec<[Vector<N>; 3]> =
+            (0..7).map(|_| [2.0, 1.0, 1.0].map(|s| r.array(s).into())).collect();
+        let sizes: Vec<[f64; 3]> = (0..7).map(|_| r.array::<3>(0.5).map(|x| x + 1.0)).collect();
         let grasp = |l: f64, f: f64| {
-            let contacts = places.iter().zip(&sizes).map(|([p, n], [radius, k, preload])| {
-                let law = Law::linear(k * f / l).unwrap();
-                let point = Vector::new(*p) * l;
-                Contact::<2, 1>::new(
-                    Geometry::on_face(point, (*n).into(), radius * l),
-                    law,
-                    preload * f,
-                )
-                .unwrap()
+            let contacts = places.iter().zip(&sizes).map(|([p, n, axis], [radius, k, preload])| {
+                let operator = Mat::outer(*axis, *axis) + Mat::IDENTITY * 0.25;
+                let place = Geometry {
+                    point: *p * l,
+                    inward_normal: *n,
+                    finger: Curvature::round(radius * l),
+                    part: Curvature::of_shape_operator(operator * (1.0 / l)),
+                };
+                Contact::new(place, law(&place, [l, f], *k), 0.1 * preload * f).unwrap()
             });
-            Grasp::new(contacts.collect()).unwrap()
+            let load = DeadLoad { point: places[0][1] * l, force: places[0][2] * f };
+            Grasp::<N, M>::new(contacts.collect()).unwrap().with_loads(vec![load]).unwrap()
         };
         let (one, other) = (grasp(1.0, 1.0), grasp(length, force));
         assert_eq!(other.centroid(), one.centroid() * length);
-        let k = |g: &Grasp<2, 1>| g.stiffness(g.centroid(), Order::Second);
+        let k = |g: &Grasp<N, M>| g.stiffness(g.centroid(), Order::Second);
         assert_eq!(k(&other).translational, k(&one).translational * (force / length));
         assert_eq!(k(&other).coupling, k(&one).coupling * force);
         assert_eq!(k(&other).rotational, k(&one).rotational * (force * length));
         assert_eq!(other.stability(), one.stability());
         assert_eq!(other.preloads().unwrap(), one.preloads().unwrap());
+        assert_eq!(other.equilibrium().relative_force, one.equilibrium().relative_force);
+        assert_eq!(other.equilibrium().relative_torque, one.equilibrium().relative_torque);
     }
+}
+
+#[test]
+fn lengths_and_forces_by_powers_of_64_change_the_units_exactly() {
+    units_change_exactly::<2, 1>(23, |_, [l, f], k| Law::linear(k * f / l).unwrap());
+    units_change_exactly::<3, 3>(30, |place, [l, f], k| {
+        Law::hertz(k * f / (l * l), place).unwrap()
+    });
 }
 
 /// The balanced preloads are all of them: each null vector balances, and their number is that of
