@@ -1,12 +1,17 @@
-//! Part outlines as the rest of Clench needs them: edges to touch, and how far the part reaches.
+//! Shapes as the rest of Clench needs them: where to touch a part, how far it reaches, and how
+//! deep two bodies overlap.
 //!
-//! A [`Polygon`] is valid by construction: at least three corners, a boundary that meets itself
-//! nowhere, decided exactly. From it come, by purpose:
+//! A shape that exists is valid. A [`Polygon`] has at least three corners and a boundary that
+//! meets itself nowhere, decided exactly; a [`Polyhedron`] is closed and consistently wound; an
+//! [`Ellipsoid`] has positive semi-axes. By purpose:
 //!
 //! | to ask | use |
 //! | --- | --- |
-//! | where a finger can touch, and along which normal | [`Polygon::edges`], [`Edge`] |
-//! | which edge a given point lies on | [`Polygon::place`] |
+//! | where a finger can touch, and along which normal | [`Polygon::edges`], [`Polyhedron::faces`] |
+//! | the same on a round body, with the curvature | [`Ellipsoid::at_normal`], [`BoundaryPoint`] |
+//! | what of the boundary a given point lies on | [`Polygon::place`], [`Polyhedron::place`] |
+//! | the signed distance of a point | [`Ellipsoid::nearest`], [`Polyhedron::signed_distance`] |
+//! | how deep two bodies overlap, `delta` | [`planar::deepest_pair`], [`spatial::deepest_pair`] |
 //! | the geometric center and radius | [`Polygon::enclosing_circle`] |
 //! | how far the part reaches from a point, `rho_max` | [`Polygon::farthest`] |
 //! | the same along a segment, piece by piece | [`Polygon::farthest_along`] |
@@ -33,8 +38,10 @@
 //!
 //! # When not to use it
 //!
-//! Nothing here cuts, offsets or joins outlines; for that use a polygon library. The corners are
-//! kept as they are given: an outline with a thousand corners per arc stays one.
+//! Nothing here cuts, offsets or joins shapes; for that use a geometry library. Nor does anything
+//! look for contacts between many bodies, or follow them over time; for that use a physics engine.
+//! Corners and faces are kept as they are given: an outline with a thousand corners per arc stays
+//! one. A solid whose surface crosses itself is not noticed.
 
 mod error;
 
@@ -47,6 +54,18 @@ mod circle;
 mod reach;
 mod stretch;
 
+mod boundary_point;
+mod ellipsoid;
+
+mod polyhedron;
+
+mod ball;
+mod deepest;
+mod point_hull;
+
+pub mod planar;
+pub mod spatial;
+
 mod border;
 mod partition;
 
@@ -56,13 +75,22 @@ mod tree;
 mod triangulation;
 mod validity;
 
+pub use ball::Ball;
 pub use border::Border;
+pub use boundary_point::{BoundaryPoint, Nearest};
 pub use circle::Circle;
+pub use deepest::{BodyError, DeepestPair, OverlapError, Side};
 pub use edge::Edge;
+pub use ellipsoid::{Ellipsoid, EllipsoidError, LARGEST_ASPECT};
 pub use error::PolygonError;
 pub use partition::{FarthestPartition, Region};
 pub use place::Place;
+pub use point_hull::PointHull;
 pub use polygon::{Polygon, Winding};
+pub use polyhedron::{
+    Face, FaceFeature, FacePlace, LARGEST_SOLID_COORDINATE, Polyhedron, PolyhedronError,
+    SMALLEST_SOLID_COORDINATE,
+};
 pub use reach::Reach;
 pub use stretch::Stretch;
 pub use validity::{LARGEST_COORDINATE, SMALLEST_COORDINATE};

@@ -92,6 +92,17 @@ impl Polygon {
         &self.hull
     }
 
+    /// Whether the outline turns the same way at all its corners, or straight on; exactly.
+    #[must_use]
+    pub fn is_convex(&self) -> bool {
+        let (n, at) = (self.corners.len(), &self.corners);
+        let mut turns = (0..n).map(|i| turn(at[i], at[(i + 1) % n], at[(i + 2) % n]));
+        match self.winding {
+            Winding::CounterClockwise => turns.all(|turn| turn >= 0.0),
+            Winding::Clockwise => turns.all(|turn| turn <= 0.0),
+        }
+    }
+
     /// The smallest circle around the part: the geometric center `p_0` and the radius `r_0` of
     /// [LBR, section 5.2], which is the least value of `rho_max`.
     ///

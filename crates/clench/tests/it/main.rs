@@ -1,4 +1,5 @@
-//! The layers together, against the grasps of an independent program and the printed paper.
+//! The layers together: the grasps of an independent program, the printed paper, and bodies that
+//! are really moved.
 
 #![allow(
     clippy::unwrap_used,
@@ -8,4 +9,5 @@
     reason = "a test that cannot go on fails, and exact results are compared exactly"
 )]
 
+mod bodies;
 mod cases;

@@ -9,5 +9,10 @@
 )]
 
 mod cases;
+mod deepest;
+mod ellipsoid;
 mod laws;
 mod limits;
+mod polyhedron;
+mod polyhedron_limits;
+mod solids;

@@ -1,0 +1,165 @@
+//! The nearest point of a solid's surface.
+
+use clench_screw::{Vector, spatial};
+use parry3d_f64::bounding_volume::Aabb;
+use parry3d_f64::math::Vector as ParryVector;
+use parry3d_f64::partitioning::{Bvh, BvhBuildStrategy, BvhLeafCost, BvhNode};
+
+use super::validity::SolidEdge;
+use super::{Face, Polyhedron};
+use crate::predicates::unit_scale;
+
+/// What of the surface a point is on, as found by projecting to it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Feature {
+    /// The inside of the face.
+    Face,
+    /// The inside of the edge with these ends.
+    Edge([usize; 2]),
+    /// The vertex.
+    Vertex(usize),
+}
+
+/// A point of a face.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Foot {
+    pub(super) point: Vector<3>,
+    pub(super) distance: f64,
+    pub(super) feature: Feature,
+}
+
+/// The boxes of the faces, as a tree, in units of about the solid's own size.
+#[derive(Clone, Debug)]
+pub(super) struct FaceTree {
+    boxes: Bvh,
+    scale: f64,
+}
+
+impl FaceTree {
+    pub(super) fn new(vertices: &[Vector<3>], faces: &[Face], largest: f64) -> Self {
+        let scale = unit_scale(largest);
+        let boxes: Vec<Aabb> = faces
+            .iter()
+            .map(|face| {
+                let corners = face.corners().iter().map(|&c| to_parry(vertices[c] * scale));
+                corners.fold(Aabb::new_invalid(), |around, corner| {
+                    Aabb::new(around.mins.min(corner), around.maxs.max(corner))
+                })
+            })
+            .collect();
+        Self { boxes: Bvh::from_leaves(BvhBuildStrategy::Binned, &boxes), scale }
+    }
+}
+
+/// A candidate for the nearest foot; its cost is the distance in the units of the tree.
+struct Candidate {
+    foot: Foot,
+    cost: f64,
+}
+
+impl BvhLeafCost for Candidate {
+    fn cost(&self) -> f64 {
+        self.cost
+    }
+}
+
+/// The face nearest to `point`, and its nearest point. `point` is finite.
+pub(super) fn nearest(solid: &Polyhedron, point: Vector<3>) -> (usize, Foot) {
+    let FaceTree { boxes, scale } = &solid.tree;
+    let at = to_parry(point * *scale);
+    let found = boxes.find_best(
+        f64::MAX,
+        |node: &BvhNode, _| at.distance(at.clamp(node.mins(), node.maxs())),
+        |face, _| {
+            let foot = foot_on(&solid.vertices, &solid.faces[face as usize], point);
+            Some(Candidate { foot, cost: foot.distance * scale })
+        },
+    );
+    match found {
+        Some((face, candidate)) => (face as usize, candidate.foot),
+        // Only for a point that is not finite.
+        None => (0, foot_on(&solid.vertices, &solid.faces[0], point)),
+    }
+}
+
+/// The point of a face nearest to `point`.
+fn foot_on(vertices: &[Vector<3>], face: &Face, point: Vector<3>) -> Foot {
+    let depth = face.inward_normal().dot(point - face.point());
+    let level = point - face.inward_normal() * depth;
+    if face.encloses(vertices, level) {
+        return Foot { point: level, distance: depth.abs(), feature: Feature::Face };
+    }
+    let unknown = Foot { point: level, distance: f64::INFINITY, feature: Feature::Face };
+    face.edges()
+        .map(|edge| foot_on_edge(vertices, edge, point))
+        .fold(unknown, |near, foot| if foot.distance < near.distance { foot } else { near })
+}
+
+/// The point of an edge nearest to `point`, the same from both of its faces.
+pub(super) fn foot_on_edge(
+    vertices: &[Vector<3>],
+    [from, to]: [usize; 2],
+    point: Vector<3>,
+) -> Foot {
+    let ends = [from.min(to), from.max(to)];
+    let [a, b] = ends.map(|end| vertices[end]);
+    let length = (b - a).norm();
+    let direction = (b - a) * (1.0 / length);
+    let along = direction.dot(point - a);
+    if along <= 0.0 || along >= length {
+        let vertex = ends[usize::from(along > 0.0)];
+        let distance = (point - vertices[vertex]).norm();
+        return Foot { point: vertices[vertex], distance, feature: Feature::Vertex(vertex) };
+    }
+    // From the nearer end: the error grows with the distance to it.
+    let foot =
+        if along < 0.5 * length { a + direction * along } else { b - direction * (length - along) };
+    Foot { point: foot, distance: (point - foot).norm(), feature: Feature::Edge(ends) }
+}
+
+/// The sums of the faces' outward normals around each vertex, weighted by their angles there.
+///
+/// A point whose nearest point is the vertex is outside if and only if it is on the side of this
+/// vector (J. A. Bærentzen, H. Aanæs, *Signed Distance Computation Using the Angle Weighted
+/// Pseudonormal*, 2005).
+pub(super) fn vertex_normals(vertices: &[Vector<3>], faces: &[Face]) -> Vec<Vector<3>> {
+    let mut normals = vec![Vector::ZERO; vertices.len()];
+    for face in faces {
+        let outward = -face.inward_normal();
+        let corners = face.corners();
+        let n = corners.len();
+        for i in 0..n {
+            let at = vertices[corners[i]];
+            let next = vertices[corners[(i + 1) % n]] - at;
+            let before = vertices[corners[(i + n - 1) % n]] - at;
+            let turn = outward.dot(spatial::cross(next, before)).atan2(next.dot(before));
+            // Corners may be hollow, up to a full turn.
+            let angle = if turn < 0.0 { turn + std::f64::consts::TAU } else { turn };
+            normals[corners[i]] += outward * angle;
+        }
+    }
+    normals
+}
+
+/// The inward direction at a point of the surface, of any length.
+pub(super) fn inward(solid: &Polyhedron, face: usize, feature: Feature) -> Vector<3> {
+    match feature {
+        Feature::Face => solid.faces[face].inward_normal(),
+        Feature::Vertex(vertex) => -solid.vertex_normals[vertex],
+        Feature::Edge(ends) => {
+            let [one, other] = faces_along(&solid.edges, ends).unwrap_or([face, face]);
+            solid.faces[one].inward_normal() + solid.faces[other].inward_normal()
+        }
+    }
+}
+
+/// The two faces that the edge with these ends joins, the lower number first.
+pub(super) fn faces_along(edges: &[SolidEdge], ends: [usize; 2]) -> Option<[usize; 2]> {
+    let found = edges.binary_search_by_key(&ends, |edge| edge.vertices).ok()?;
+    let [one, other] = edges[found].faces;
+    Some([one.min(other), one.max(other)])
+}
+
+fn to_parry(v: Vector<3>) -> ParryVector {
+    ParryVector::from_array(v.to_array())
+}
