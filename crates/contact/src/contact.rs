@@ -8,7 +8,8 @@ use crate::{ContactError, Geometry, Law, Overlap};
 /// Which terms of [LBR, eq. 6] a stiffness has.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Order {
-    /// `f' grad grad^T` only: what does not depend on curvature and preload.
+    /// `f' grad grad^T` only: what springs at the contacts would give. Of the preload it knows the
+    /// slope of the law there.
     First,
     /// `f' grad grad^T + f D^2 delta`.
     Second,
@@ -41,12 +42,10 @@ impl<const N: usize, const M: usize> Contact<N, M> {
     /// - [`ContactError::TooDeep`]: the overlap exceeds what the radii of curvature allow.
     pub fn new(geometry: Geometry<N>, law: Law, preload: f64) -> Result<Self, ContactError> {
         let preload = not_negative("preload", preload)?;
-        let largest = law.largest_force();
-        if preload >= largest {
-            return Err(ContactError::BeyondLaw { force: preload, largest });
-        }
-        let depth = law.overlap(preload);
-        Self::at_rest(geometry, law, depth, preload)
+        within(&law, preload)?;
+        let depth = not_negative("overlap at the preload", law.overlap(preload))?;
+        let slope = law.slope_at_force(preload);
+        Self::at_rest(geometry, law, depth, preload, slope)
     }
 
     /// The contact at the place `geometry` of a finger that overlaps the part by `overlap`; the
@@ -61,11 +60,10 @@ impl<const N: usize, const M: usize> Contact<N, M> {
         overlap: f64,
     ) -> Result<Self, ContactError> {
         let overlap = not_negative("overlap", overlap)?;
-        let (force, largest) = (law.force(overlap), law.largest_force());
-        if force >= largest {
-            return Err(ContactError::BeyondLaw { force, largest });
-        }
-        Self::at_rest(geometry, law, overlap, force)
+        let preload = not_negative("force at the overlap", law.force(overlap))?;
+        within(&law, preload)?;
+        let slope = law.slope(overlap);
+        Self::at_rest(geometry, law, overlap, preload, slope)
     }
 
     fn at_rest(
@@ -73,8 +71,8 @@ impl<const N: usize, const M: usize> Contact<N, M> {
         law: Law,
         depth: f64,
         preload: f64,
+        slope: f64,
     ) -> Result<Self, ContactError> {
-        let slope = law.slope(depth);
         positive("slope", slope).map_err(|_| ContactError::NoStiffness { slope })?;
         let overlap = Overlap::new(geometry, depth)?;
         Ok(Self { overlap, law, preload, slope })
@@ -119,4 +117,10 @@ impl<const N: usize, const M: usize> Contact<N, M> {
             Order::Second => first + self.overlap.hessian(origin) * self.preload,
         }
     }
+}
+
+/// Fails for a force that the law does not reach.
+fn within(law: &Law, force: f64) -> Result<(), ContactError> {
+    let largest = law.largest_force();
+    if force < largest { Ok(()) } else { Err(ContactError::BeyondLaw { force, largest }) }
 }

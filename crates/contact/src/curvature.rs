@@ -3,6 +3,12 @@
 use clench_screw::{Mat, Vector};
 
 use crate::ContactError;
+use crate::geometry::unit;
+use crate::tangent::Tangent;
+
+/// A principal direction within this angle of the normal (rad) leaves fewer than half of its digits
+/// in the tangent plane.
+const ALONG_NORMAL: f64 = 1.490_116_119_384_765_6e-8;
 
 /// The boundary of a finger or a part at the contact, to second order.
 ///
@@ -67,20 +73,19 @@ pub(crate) struct Radii<const N: usize> {
 }
 
 impl<const N: usize> Radii<N> {
-    /// The radii of `body` (named for errors) at a contact with the unit normal `n`;
-    /// `tangent` is `I - n n^T`.
+    /// The radii of `body` (named for errors) at a contact with the given tangent plane.
     pub(crate) fn new(
         body: &'static str,
         curvature: &Curvature<N>,
-        n: Vector<N>,
-        tangent: &Mat<N, N>,
+        tangent: &Tangent<N>,
     ) -> Result<Self, ContactError> {
+        let plane = tangent.projector();
         match curvature.0 {
             Form::Round(r) if r.is_nan() || r == f64::NEG_INFINITY => {
                 Err(ContactError::Radius { body, value: r })
             }
             Form::Round(r) if r.is_infinite() => Ok(Self { x: 1.0, y: Mat::ZERO }),
-            Form::Round(r) => Ok(Self { x: r.abs(), y: *tangent * 1.0_f64.copysign(r + 0.0) }),
+            Form::Round(r) => Ok(Self { x: r.abs(), y: plane * 1.0_f64.copysign(r + 0.0) }),
             Form::Principal { radii, along } => {
                 let curvatures = radii.map(f64::recip);
                 for (value, curvature) in radii.into_iter().zip(curvatures) {
@@ -88,14 +93,17 @@ impl<const N: usize> Radii<N> {
                         return Err(ContactError::Radius { body, value });
                     }
                 }
-                let along = along - n * n.dot(along);
-                let first = crate::geometry::unit(along)
+                // Projected twice: the first time leaves the rounding of what it takes away.
+                let first = unit(along)
+                    .map(|along| plane * along)
+                    .filter(|across| across.norm() > ALONG_NORMAL)
+                    .and_then(|across| unit(plane * across))
                     .ok_or(ContactError::NoPrincipalDirection { body })?;
                 let first = Mat::outer(first, first);
-                Ok(Self { x: 1.0, y: first * curvatures[0] + (*tangent - first) * curvatures[1] })
+                Ok(Self { x: 1.0, y: first * curvatures[0] + (plane - first) * curvatures[1] })
             }
             Form::Tensor(operator) if operator.is_finite() => {
-                Ok(Self { x: 1.0, y: *tangent * operator.symmetric_part() * *tangent })
+                Ok(Self { x: 1.0, y: plane * operator.symmetric_part() * plane })
             }
             Form::Tensor(_) => Err(ContactError::ShapeOperator { body }),
         }

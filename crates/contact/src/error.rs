@@ -1,5 +1,7 @@
 //! What can be wrong with a contact.
 
+use crate::law::LARGEST_CURVATURE_RATIO;
+
 /// Why a law or a contact was refused.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
@@ -56,7 +58,7 @@ pub enum ContactError {
     /// The gap between finger and part does not open in all directions.
     #[error(
         "along some direction the curvatures of finger and part sum to {relative_curvature}, but \
-         have to sum to more than 0: flat on flat, or a finger in a hollow as narrow as itself, \
+         have to sum to more than 0 and its rounding: flat on flat, or a finger in a hollow as narrow as itself, \
          touches in more than one point"
     )]
     NoGap {
@@ -85,7 +87,7 @@ pub enum ContactError {
     /// The relative curvatures do not belong to an ellipse.
     #[error(
         "the gap has the curvatures {smaller} and {larger}, but the first has to be the smaller \
-         one, and their ratio in the range of numbers"
+         one, and their ratio at most {LARGEST_CURVATURE_RATIO:e}"
     )]
     NoEllipse {
         /// The one given as the smaller (1 / length).

@@ -3,7 +3,12 @@
 use clench_screw::{Mat, SymmetricEigen, Vector};
 
 use crate::curvature::Radii;
+use crate::tangent::Tangent;
 use crate::{ContactError, Curvature};
+
+/// A sum of two curvatures below this part of their sizes is nothing but their rounding, a few
+/// units each.
+pub(crate) const ROUNDING: f64 = 16.0 * f64::EPSILON;
 
 /// The place of a contact: the deepest point of the part, the normal into the part, and the
 /// curvatures of both boundaries.
@@ -37,17 +42,10 @@ impl<const N: usize> Geometry<N> {
     }
 
     /// The radii of curvature of finger and part, of a checked geometry.
-    pub(crate) fn radii(&self) -> Result<[Radii<N>; 2], ContactError> {
-        let n = self.inward_normal;
-        let tangent = self.tangent();
-        let finger = Radii::new("finger", &self.finger, n, &tangent)?;
-        let part = Radii::new("part", &self.part, n, &tangent)?;
+    pub(crate) fn radii(&self, tangent: &Tangent<N>) -> Result<[Radii<N>; 2], ContactError> {
+        let finger = Radii::new("finger", &self.finger, tangent)?;
+        let part = Radii::new("part", &self.part, tangent)?;
         Ok([finger, part])
-    }
-
-    /// `I - n n^T`, of a checked geometry.
-    pub(crate) fn tangent(&self) -> Mat<N, N> {
-        Mat::IDENTITY - Mat::outer(self.inward_normal, self.inward_normal)
     }
 }
 
@@ -55,7 +53,7 @@ impl<const N: usize> Geometry<N> {
 /// both shape operators, `2 A` and `2 B` of Hertz' theory.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct RelativeCurvature {
-    /// `2 A` (1 / length).
+    /// `2 A` (1 / length); 0 where it is nothing but rounding, along a line of contact.
     pub smaller: f64,
     /// `2 B` (1 / length).
     pub larger: f64,
@@ -90,27 +88,22 @@ impl Geometry<3> {
     /// ```
     pub fn relative_curvature(&self) -> Result<RelativeCurvature, ContactError> {
         let checked = self.checked()?;
-        let [finger, part] = checked.radii()?;
+        let tangent = Tangent::of(checked.inward_normal);
+        let [finger, part] = checked.radii(&tangent)?;
         for (body, radii) in [("finger", finger), ("part", part)] {
             if radii.x <= 0.0 {
                 return Err(ContactError::Radius { body, value: 0.0 });
             }
         }
-        let sum = finger.y * finger.x.recip() + part.y * part.x.recip();
-        // A basis of the tangent plane, from the coordinate axis that is farthest from the normal.
-        let n = checked.inward_normal;
-        let least = (0..3).fold(0, |best, i| if n[i].abs() < n[best].abs() { i } else { best });
-        let axis = checked.tangent().column(least);
-        let first = axis * axis.norm().recip();
-        let second = clench_screw::spatial::cross(n, first);
-        let entry = |a: Vector<3>, b: Vector<3>| a.dot(sum * b);
-        let eigen = SymmetricEigen::new(&Mat::new([
-            [entry(first, first), entry(first, second)],
-            [entry(second, first), entry(second, second)],
-        ]))?;
-        let [s, t] = eigen.vectors[0].to_array();
+        let [finger, part] = [finger, part].map(|radii| radii.y * radii.x.recip());
+        let eigen = SymmetricEigen::new(&Mat::new(tangent.entries(&(finger + part))))?;
         let [smaller, larger] = eigen.values;
-        Ok(RelativeCurvature { smaller, larger, along: first * s + second * t })
+        let rounding = ROUNDING * (finger.max_abs() + part.max_abs());
+        Ok(RelativeCurvature {
+            smaller: if smaller.abs() > rounding { smaller } else { 0.0 },
+            larger,
+            along: tangent.direction(eigen.vectors[0].to_array()),
+        })
     }
 }
 

@@ -46,6 +46,8 @@ mod material;
 
 mod curvature;
 mod geometry;
+mod tangent;
+
 mod overlap;
 
 mod contact;

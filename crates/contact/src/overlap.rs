@@ -3,11 +3,9 @@
 use clench_screw::{Frame, Mat, Stiffness, Vector, Wrench, lever};
 
 use crate::curvature::Radii;
+use crate::geometry::ROUNDING;
+use crate::tangent::Tangent;
 use crate::{ContactError, Geometry};
-
-/// A determinant below this part of what its terms could sum to is nothing but their rounding, a
-/// few units each: finger and part are as flat, or as hollow, as each other.
-const NO_RELATIVE_CURVATURE: f64 = 16.0 * f64::EPSILON;
 
 /// Where a finger and the part touch, how deep, and how the depth changes with the pose.
 ///
@@ -42,13 +40,13 @@ impl<const N: usize, const M: usize> Overlap<N, M> {
     /// The overlap of depth `depth` at the place `geometry`.
     pub(crate) fn new(geometry: Geometry<N>, depth: f64) -> Result<Self, ContactError> {
         let geometry = geometry.checked()?;
-        let [a, b] = geometry.radii()?;
-        check_apart(&a, &b)?;
-        check_depth(&a, &b, depth)?;
-        let tangent = geometry.tangent();
+        let tangent = Tangent::of(geometry.inward_normal);
+        let [a, b] = geometry.radii(&tangent)?;
+        check_apart(&tangent, &a, &b)?;
+        check_depth(&tangent, &a, &b, depth)?;
         // With S_A = x Y^-1, Sigma = X Y^-1 and S_B = Y_B^-1 x_B: M^-1 = Y W^-1 Y_B.
-        let x = tangent * a.x - a.y * depth;
-        let (inverse, _) = tangent_inverse(&(a.y * b.x + b.y * x), &tangent);
+        let x = tangent.projector() * a.x - a.y * depth;
+        let inverse = tangent.inverse(&(a.y * b.x + b.y * x));
         Ok(Self {
             geometry,
             depth,
@@ -98,19 +96,23 @@ impl<const N: usize, const M: usize> Overlap<N, M> {
         let n = self.geometry.inward_normal;
         let turned = displacement.direction_to_parent(n);
         let moved = displacement.point_to_parent(self.geometry.point);
+        let (shift, turn) = (moved - self.geometry.point, turned - n);
+        // All in small differences: radii may be many times larger than the depth.
+        let nod = 0.5 * turn.norm_squared();
         match (self.geometry.finger.radius(), self.geometry.part.radius()) {
             (Some(r), Some(f64::INFINITY)) => {
-                let center = self.geometry.point - n * (r - self.depth);
-                r + turned.dot(center - moved)
+                self.depth - turned.dot(shift) + (r - self.depth) * nod
             }
             (Some(r), Some(part)) if r.is_finite() => {
+                // The centers, apart by `away` n at rest, move by v.
                 let away = r - self.depth + part;
-                let center = self.geometry.point - n * (r - self.depth);
-                let between = moved + turned * part - center;
-                self.depth + away - between.norm() * 1.0_f64.copysign(away)
+                let v = shift + turn * part;
+                let along = n.dot(shift) - part * nod;
+                let between = (n * away + v).norm();
+                let more = (2.0 * away * along + v.norm_squared()) / (away.abs() + between);
+                self.depth - more * 1.0_f64.copysign(away)
             }
             _ => {
-                let (shift, turn) = (moved - self.geometry.point, turned - n);
                 let u = shift - n * n.dot(shift);
                 let e = n * n.dot(turn) - turn;
                 self.depth - n.dot(shift) - 0.5 * u.dot(self.slide * u)
@@ -149,56 +151,50 @@ impl<const N: usize, const M: usize> Overlap<N, M> {
 }
 
 /// Without overlap the gap has to open in all directions: `L_A + L_B > 0`.
-fn check_apart<const N: usize>(a: &Radii<N>, b: &Radii<N>) -> Result<(), ContactError> {
-    let relative = a.y * b.x + b.y * a.x;
-    let size = a.y.max_abs() * b.x + b.y.max_abs() * a.x;
-    let rounding = NO_RELATIVE_CURVATURE * if N == 2 { size } else { size * size };
-    if relative.trace() > 0.0 && tangent_determinant(&relative) > rounding {
+fn check_apart<const N: usize>(
+    tangent: &Tangent<N>,
+    a: &Radii<N>,
+    b: &Radii<N>,
+) -> Result<(), ContactError> {
+    let (finger, part) = (a.y * b.x, b.y * a.x);
+    let [[p, q], [_, s]] = tangent.entries(&(finger + part));
+    let least = if N == 2 { p } else { 0.5 * (p + s) - (0.5 * (p - s)).hypot(q) };
+    if least > ROUNDING * (finger.max_abs() + part.max_abs()) {
         return Ok(());
     }
+    // Between pointed boundaries there are no radii to divide by.
     let radii = a.x * b.x;
     let scale = if radii > 0.0 { radii } else { 1.0 };
-    Err(ContactError::NoGap { relative_curvature: least_eigenvalue(&relative) / scale })
+    Err(ContactError::NoGap { relative_curvature: least / scale })
 }
 
 /// The deepest points stay unique on the way from depth 0: the determinant of
 /// `(L_A + L_B) - s L_B L_A`, a polynomial in `s`, has no root up to `s = depth`.
-fn check_depth<const N: usize>(a: &Radii<N>, b: &Radii<N>, depth: f64) -> Result<(), ContactError> {
-    let relative = a.y * b.x + b.y * a.x;
-    let product = b.y * a.y;
-    let (start, end) = (tangent_determinant(&relative), tangent_determinant(&product));
+///
+/// Its roots are real, where `S_A + S_B - s` loses its inverse: a negative discriminant is
+/// rounding.
+fn check_depth<const N: usize>(
+    tangent: &Tangent<N>,
+    a: &Radii<N>,
+    b: &Radii<N>,
+    depth: f64,
+) -> Result<(), ContactError> {
+    let relative = tangent.entries(&(a.y * b.x + b.y * a.x));
+    let product = tangent.entries(&(b.y * a.y));
+    let [[p, q], [r, s]] = relative;
+    let [[t, u], [v, w]] = product;
+    let start = p * s - q * r;
+    // 1 - slope x + bend x^2 with x = s / depth; the plane has no second direction to multiply.
     let (slope, bend) = if N == 2 {
-        (product.trace(), 0.0)
+        (t * depth / start, 0.0)
     } else {
-        (relative.trace() * product.trace() - (relative * product).trace(), end)
+        ((p * w + s * t - q * v - r * u) * depth / start, (t * w - u * v) * depth * depth / start)
     };
-    // start - slope s + bend s^2 = 0 has its smaller root first.
-    let discriminant = slope * slope - 4.0 * start * bend;
-    if discriminant < 0.0 {
-        return Ok(());
+    let below = slope + (slope * slope - 4.0 * bend).max(0.0).sqrt();
+    // The smaller root is 2 / below.
+    if below < 2.0 {
+        Ok(())
+    } else {
+        Err(ContactError::TooDeep { depth, limit: depth * 2.0 / below })
     }
-    let below = slope + discriminant.sqrt();
-    let limit = if below > 0.0 { 2.0 * start / below } else { f64::INFINITY };
-    if depth < limit { Ok(()) } else { Err(ContactError::TooDeep { depth, limit }) }
-}
-
-/// The determinant in the tangent plane of a matrix that takes and gives tangent vectors.
-fn tangent_determinant<const N: usize>(w: &Mat<N, N>) -> f64 {
-    if N == 2 { w.trace() } else { 0.5 * (w.trace().powi(2) - (*w * *w).trace()) }
-}
-
-/// The inverse in the tangent plane, and the determinant there (Cayley and Hamilton).
-fn tangent_inverse<const N: usize>(w: &Mat<N, N>, tangent: &Mat<N, N>) -> (Mat<N, N>, f64) {
-    let determinant = tangent_determinant(w);
-    let adjugate = if N == 2 { *tangent } else { *tangent * w.trace() - *w };
-    (adjugate * determinant.recip(), determinant)
-}
-
-/// The smaller eigenvalue of a symmetric matrix in the tangent plane.
-fn least_eigenvalue<const N: usize>(w: &Mat<N, N>) -> f64 {
-    if N == 2 {
-        return w.trace();
-    }
-    let half = 0.5 * w.trace();
-    half - (half * half - tangent_determinant(w)).max(0.0).sqrt()
 }

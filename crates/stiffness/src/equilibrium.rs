@@ -1,6 +1,6 @@
 //! Whether contact forces and loads balance.
 
-use clench_screw::Wrench;
+use clench_screw::{Vector, Wrench};
 
 use crate::{DeadLoad, Grasp, GraspError};
 
@@ -18,8 +18,8 @@ pub struct Equilibrium<const N: usize, const M: usize> {
     pub residual: Wrench<N, M>,
     /// The residual force relative to the total of all contact forces and loads; 0 without any.
     pub relative_force: f64,
-    /// The residual torque relative to that total times the largest distance of a contact or a
-    /// load from the centroid; 0 without any.
+    /// The residual torque relative to the sum of the preloads times the grasp's length and of the
+    /// loads times their distances from the centroid; 0 without any.
     pub relative_torque: f64,
     /// Whether both are at most [`BALANCED`].
     pub holds: bool,
@@ -45,18 +45,22 @@ impl<const N: usize, const M: usize> Grasp<N, M> {
     #[must_use]
     pub fn equilibrium(&self) -> Equilibrium<N, M> {
         let residual = self.net_wrench(self.centroid());
-        let loads = self.loads().iter();
-        let total = loads.clone().fold(self.total_preload(), |sum, l| sum + l.force.norm());
-        let arm = |l: &DeadLoad<N>| (l.point - self.centroid()).norm();
-        let length = loads.map(arm).fold(self.length(), f64::max);
-        let relative_force = relative(residual.force.norm(), total);
-        let relative_torque = relative(residual.torque.norm(), total * length);
+        let arm = |load: &DeadLoad<N>| (load.point - self.centroid()).norm();
+        let (mut force, mut torque) = (self.total_preload(), self.total_preload() * self.length());
+        for load in self.loads() {
+            force += load.force.norm();
+            torque += load.force.norm() * arm(load);
+        }
+        let relative_force = relative(residual.force, force);
+        let relative_torque = relative(residual.torque, torque);
         let holds = relative_force <= BALANCED && relative_torque <= BALANCED;
         Equilibrium { residual, relative_force, relative_torque, holds }
     }
 }
 
-/// `part` of `whole`; nothing of nothing is nothing.
-fn relative(part: f64, whole: f64) -> f64 {
-    if part > 0.0 { part / whole } else { 0.0 }
+/// The size of `part` relative to `whole`; nothing of nothing is nothing.
+fn relative<const D: usize>(part: Vector<D>, whole: f64) -> f64 {
+    let largest = part.max_abs();
+    // The largest component first, so that no square leaves the range of numbers.
+    if largest <= 0.0 { 0.0 } else { largest / whole * (part * largest.recip()).norm() }
 }

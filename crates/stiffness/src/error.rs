@@ -13,7 +13,7 @@ pub enum GraspError {
          choose units in which lengths and forces are nearer to 1"
     )]
     OutOfRange {
-        /// The first contact whose share is not finite, from 0.
+        /// The first contact whose share makes the sum infinite, from 0.
         contact: usize,
     },
     /// A dead load is not finite, or its torque exceeds the range of the numbers.
@@ -25,12 +25,12 @@ pub enum GraspError {
     /// Contact forces and loads do not balance, but the answer needs that they do.
     #[error(
         "contact forces and loads do not balance: {force:.1e} of their total is left as a force, \
-         {torque:.1e} of that times the contacts' size as a torque"
+         {torque:.1e} of their total times their arms as a torque"
     )]
     Unbalanced {
         /// The residual force, relative to the total of the forces.
         force: f64,
-        /// The residual torque about the centroid, relative to the total times the grasp's length.
+        /// The residual torque about the centroid, relative to the forces times their arms.
         torque: f64,
     },
     /// The linear program over the preloads could not be solved, though it is bounded.

@@ -5,6 +5,10 @@ use clench_screw::{Frame, Stiffness, Vector, Wrench};
 
 use crate::{DeadLoad, GraspError};
 
+/// Contacts this close together, in units of rounding of their coordinates and per contact, are in
+/// one place: their mean is a sum of rounded numbers.
+const ONE_PLACE: f64 = 4.0 * f64::EPSILON;
+
 /// A body held by at least one contact; the fingers stand still, the body moves. Dead loads such
 /// as its weight may act on it besides.
 ///
@@ -23,8 +27,8 @@ impl<const N: usize, const M: usize> Grasp<N, M> {
     ///
     /// # Errors
     ///
-    /// [`GraspError::NoContacts`]; [`GraspError::OutOfRange`] when a contact's stiffness about the
-    /// contacts' centroid is not a finite number.
+    /// [`GraspError::NoContacts`]; [`GraspError::OutOfRange`] when the stiffness about the contacts'
+    /// centroid is not a finite number.
     pub fn new(contacts: Vec<Contact<N, M>>) -> Result<Self, GraspError> {
         let count = contacts.len();
         if count == 0 {
@@ -33,12 +37,17 @@ impl<const N: usize, const M: usize> Grasp<N, M> {
         let share = (count as f64).recip();
         let centroid =
             contacts.iter().fold(Vector::ZERO, |sum, c| sum + c.overlap().point() * share);
-        let finite = |c: &Contact<N, M>| c.stiffness(centroid, Order::Second).is_finite();
-        if let Some(contact) = contacts.iter().position(|c| !finite(c)) {
-            return Err(GraspError::OutOfRange { contact });
+        let mut sum = Stiffness::ZERO;
+        for (contact, c) in contacts.iter().enumerate() {
+            sum += c.stiffness(centroid, Order::Second);
+            if !sum.is_finite() {
+                return Err(GraspError::OutOfRange { contact });
+            }
         }
         let distance = |c: &Contact<N, M>| (c.overlap().point() - centroid).norm();
+        let largest = contacts.iter().map(|c| c.overlap().point().max_abs()).fold(0.0, f64::max);
         let length = contacts.iter().map(distance).fold(0.0, f64::max);
+        let length = if length > ONE_PLACE * count as f64 * largest { length } else { 0.0 };
         Ok(Self { contacts, loads: Vec::new(), centroid, length })
     }
 
@@ -76,7 +85,7 @@ impl<const N: usize, const M: usize> Grasp<N, M> {
     }
 
     /// The length that makes torques comparable to forces: the largest distance of a contact from
-    /// the centroid (length).
+    /// the centroid (length); 0 if all are in one place.
     #[must_use]
     pub const fn length(&self) -> f64 {
         self.length

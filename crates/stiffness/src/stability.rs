@@ -17,9 +17,10 @@ const ZERO_EIGENVALUE: f64 = 8.0 * f64::EPSILON;
 /// How a grasp returns after a small disturbance.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Stability {
-    /// Stable whatever the curvatures and the preload: the first-order terms suffice.
+    /// Stable, and the first-order terms alone would be too: springs at the contacts resist every
+    /// motion.
     FirstOrder,
-    /// Stable by the second-order terms, which need a preload.
+    /// Stable, but not by the first-order terms alone: it takes the preload.
     SecondOrder,
     /// Some displacement costs no energy to second order.
     Marginal,
@@ -38,8 +39,10 @@ impl<const N: usize, const M: usize> Grasp<N, M> {
     /// The class of the grasp [LBR, section 2]: the signs of the eigenvalues of its stiffness,
     /// about the centroid and with torques divided by the grasp's length.
     ///
-    /// The signs do not depend on frame and units, the eigenvalues do. That the fingers can only
-    /// push is not looked at: see [`Grasp::preloads`].
+    /// The signs do not depend on units, and if contact forces and loads balance not on the frame;
+    /// the eigenvalues do. Out of balance nothing is at rest and the class means little: see
+    /// [`Grasp::equilibrium`]. A preload can always be so large that the class changes. That the
+    /// fingers can only push is not looked at: see [`Grasp::preloads`].
     #[must_use]
     pub fn stability(&self) -> Stability {
         let smallest = |order| self.smallest_sign(&self.stiffness(self.centroid(), order));

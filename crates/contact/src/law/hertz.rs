@@ -10,6 +10,10 @@ use crate::{ContactError, Geometry};
 /// to a factor of 4 for ratios of curvatures up to 1e6; this many steps are the end for any ratio.
 const MAX_STEPS: usize = 40;
 
+/// The largest ratio of the relative curvatures: far beyond it the elliptic integrals leave the
+/// range of numbers, and any such contact is a line.
+pub(crate) const LARGEST_CURVATURE_RATIO: f64 = 1e60;
+
 /// A step in the logarithm of the ratio of the semi-axes this small ends the iteration: the next
 /// one, its square, is far below rounding.
 const LAST_STEP: f64 = 1e-9;
@@ -70,21 +74,23 @@ impl Hertz {
     /// # Errors
     ///
     /// [`ContactError::NotPositive`] unless all three are positive and finite;
-    /// [`ContactError::NoEllipse`] when the ratio of the curvatures is out of the range of
-    /// numbers, or `A > B`. A line of contact, `A = 0`, has another law: [`Line`](super::Line).
+    /// [`ContactError::NoEllipse`] when `A > B`, or `B` is more than 1e60 times as large. A line of
+    /// contact, `A = 0`, has another law: [`Line`](super::Line).
     pub fn elliptic(effective_modulus: f64, gap: [f64; 2]) -> Result<Self, ContactError> {
         let modulus = positive("effective modulus", effective_modulus)?;
         let smaller = positive("smaller relative curvature", gap[0])?;
         let larger = positive("larger relative curvature", gap[1])?;
         let no_ellipse = || ContactError::NoEllipse { smaller, larger };
-        if smaller > larger {
+        if smaller > larger || larger / smaller > LARGEST_CURVATURE_RATIO {
             return Err(no_ellipse());
         }
         let ellipse = ellipse(larger / smaller).ok_or_else(no_ellipse)?;
         let spread = ellipse.d / (ellipse.k * smaller);
         let coefficient = 2.0 * std::f64::consts::PI * modulus / (3.0 * ellipse.k) * spread.sqrt();
         positive("coefficient", coefficient)?;
-        Ok(Self { effective_modulus: modulus, ratio: ellipse.ratio, spread, coefficient })
+        let law = Self { effective_modulus: modulus, ratio: ellipse.ratio, spread, coefficient };
+        positive("pressure per root of the overlap", law.pressure_per_root())?;
+        Ok(law)
     }
 
     /// The law for the curvatures of finger and part in `geometry`.
@@ -123,9 +129,12 @@ impl Hertz {
     /// Zero without overlap.
     #[must_use]
     pub fn peak_pressure(&self, overlap: f64) -> f64 {
-        // f / (a b) with the powers of delta collected, so that nothing divides zero by zero.
-        let per_root = self.coefficient / (self.ratio * self.spread);
-        1.5 / std::f64::consts::PI * per_root * overlap.sqrt()
+        self.pressure_per_root() * overlap.sqrt()
+    }
+
+    /// `3 f / (2 pi a b)` with the powers of delta collected, so that nothing divides zero by zero.
+    fn pressure_per_root(&self) -> f64 {
+        1.5 / std::f64::consts::PI * self.coefficient / (self.ratio * self.spread)
     }
 }
 

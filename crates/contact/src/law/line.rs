@@ -25,8 +25,9 @@ pub struct LineContact {
     pub part: Elastic,
 }
 
-/// The law of a disc, held at the far end of its diameter, on a straight edge, in plane strain
-/// [Johnson, section 5.6].
+/// The law of a disc on a straight edge, in plane strain [Johnson, section 5.6]: the approach of
+/// the disc's center, when the load enters at the far end of its diameter, and a point of the part
+/// at the reference depth.
 ///
 /// With `P = f / thickness` and `a^2 = 4 P R / (pi E*)`,
 ///
@@ -46,6 +47,8 @@ pub struct Line {
     thickness: f64,
     /// `P_max`.
     largest: f64,
+    /// `ln P_max`.
+    largest_logarithm: f64,
     /// `4 R / (pi E*)`: the square of the half width per force per thickness.
     spread: f64,
 }
@@ -69,9 +72,11 @@ impl Line {
         let nu = part.poisson_ratio();
         let weighted = own(finger) * (2.0 * (4.0 * radius).ln() - 1.0)
             + own(part) * (2.0 * (2.0 * depth).ln() - nu / (1.0 - nu));
-        let largest = (weighted / compliance - spread.ln() - 1.0).exp();
+        let largest_logarithm = weighted / compliance - spread.ln() - 1.0;
+        let largest = largest_logarithm.exp();
         positive("largest force", largest * thickness)?;
-        Ok(Self { compliance, thickness, largest, spread })
+        positive("largest overlap", compliance * largest)?;
+        Ok(Self { compliance, thickness, largest, largest_logarithm, spread })
     }
 
     /// Half the width of the area of contact (length).
@@ -91,7 +96,7 @@ impl Line {
     ///
     /// From above, where Newton's method on this convex function descends to the root.
     fn logarithm(&self, overlap: f64) -> f64 {
-        let wanted = (self.largest_overlap() / overlap).ln().max(0.0);
+        let wanted = (self.largest_overlap().ln() - overlap.ln()).max(0.0);
         let mut w = wanted + (2.0 * wanted).sqrt();
         for _ in 0..MAX_STEPS {
             let error = w - w.ln_1p() - wanted;
@@ -109,33 +114,48 @@ impl Line {
         let w = self.logarithm(overlap);
         [w, self.largest * (-w).exp()]
     }
+
+    /// `P` and `ln(P_max / P)` at a force.
+    fn load_at_force(&self, force: f64) -> [f64; 2] {
+        let p = force / self.thickness;
+        [p, self.largest_logarithm - p.ln()]
+    }
 }
 
 impl ForceLaw for Line {
     fn force(&self, overlap: f64) -> f64 {
-        if overlap > 0.0 { self.thickness * self.load(overlap)[1] } else { 0.0 }
+        if overlap <= 0.0 {
+            return 0.0;
+        }
+        self.thickness * self.load(overlap)[1]
     }
 
     fn slope(&self, overlap: f64) -> f64 {
-        if overlap > 0.0 { self.thickness / (self.compliance * self.load(overlap)[0]) } else { 0.0 }
+        if overlap <= 0.0 {
+            return 0.0;
+        }
+        self.thickness / (self.compliance * self.load(overlap)[0])
     }
 
     fn energy(&self, overlap: f64) -> f64 {
-        if overlap > 0.0 {
-            let [w, p] = self.load(overlap);
-            self.thickness * self.compliance * p * p * (0.5 * w + 0.25)
-        } else {
-            0.0
+        if overlap <= 0.0 {
+            return 0.0;
         }
+        let [w, p] = self.load(overlap);
+        let beyond = (overlap - self.largest_overlap()).max(0.0);
+        self.thickness * p * (self.compliance * p * (0.5 * w + 0.25) + beyond)
     }
 
     fn overlap(&self, force: f64) -> f64 {
-        if force > 0.0 {
-            let p = force / self.thickness;
-            self.compliance * p * (1.0 + (self.largest / p).ln())
-        } else {
-            0.0
-        }
+        let [p, w] = self.load_at_force(force);
+        if p <= 0.0 { 0.0 } else { self.compliance * p * (1.0 + w) }
+    }
+
+    /// At the end of the law the overlap hardly changes with the force, so that it cannot tell the
+    /// slope.
+    fn slope_at_force(&self, force: f64) -> f64 {
+        let [p, w] = self.load_at_force(force);
+        if p <= 0.0 { 0.0 } else { self.thickness / (self.compliance * w) }
     }
 
     fn largest_force(&self) -> f64 {

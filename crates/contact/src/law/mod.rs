@@ -8,6 +8,7 @@ mod power;
 
 pub use custom::CustomLaw;
 pub use hertz::Hertz;
+pub(crate) use hertz::LARGEST_CURVATURE_RATIO;
 pub use line::{Line, LineContact};
 pub use linear::Linear;
 pub use power::Power;
@@ -32,6 +33,12 @@ pub trait ForceLaw: Debug + Send + Sync {
 
     /// The overlap at which the force is `force`, which is between 0 and [`Self::largest_force`].
     fn overlap(&self, force: f64) -> f64;
+
+    /// The slope where the force is `force`; for laws whose slope is not well determined by the
+    /// overlap.
+    fn slope_at_force(&self, force: f64) -> f64 {
+        self.slope(self.overlap(force))
+    }
 
     /// The force up to which the law holds; infinite unless it says otherwise.
     fn largest_force(&self) -> f64 {
@@ -142,6 +149,12 @@ impl Law {
     #[must_use]
     pub fn overlap(&self, force: f64) -> f64 {
         self.as_force_law().overlap(force)
+    }
+
+    /// The slope `f'` where the force is `force` (force / length).
+    #[must_use]
+    pub fn slope_at_force(&self, force: f64) -> f64 {
+        self.as_force_law().slope_at_force(force)
     }
 
     /// The force up to which the law holds; infinite for all but [`Law::Line`].

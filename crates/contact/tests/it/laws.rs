@@ -197,18 +197,63 @@ fn the_elliptic_law_tends_to_the_circular_one() {
     }
 }
 
-/// The steps of the solution for the ellipse end for any ratio of the curvatures.
+/// The equation `B / A = C / ((1 - m) D)` with both integrals by the trapezoidal rule, which
+/// converges exponentially for periodic integrands, at a rate of `b / a` per point.
 #[test]
-fn the_ellipse_satisfies_its_equation_for_any_ratio() {
-    for exponent in -12..=60 {
-        let ratio = 1.0 + 10.0_f64.powi(exponent);
+fn the_ellipse_satisfies_its_equation() {
+    for ratio in [1.0, 1.1, 2.0, 10.0, 100.0, 1e3, 1e4] {
         let law = Hertz::elliptic(1.0, [1.0, ratio]).unwrap();
         let [a, b] = law.semi_axes(1.0);
-        // Pressure times area is the force, whatever the shape.
+        let square = (b / a) * (b / a);
+        let points = 20_000_u32;
+        let (mut c, mut d) = (0.0, 0.0);
+        for i in 0..points {
+            let (sin, cos) = (std::f64::consts::PI * f64::from(i) / f64::from(points)).sin_cos();
+            // 1 - m sin^2 = cos^2 + (b / a)^2 sin^2.
+            let weight = (cos * cos + square * sin * sin).sqrt().recip();
+            c += cos * cos * weight;
+            d += sin * sin * weight;
+        }
+        let found = c / (square * d);
+        assert_close(found, ratio, 1e-12, ratio, format!("B / A of {ratio}"));
+        // a^2 = delta D / (K A) with delta = A = 1.
+        assert_close(a * a, d / (c + d), 1e-12, 1.0, format!("a of {ratio}"));
+        // Pressure times area is the force.
         let force = law.peak_pressure(1.0) * 2.0 / 3.0 * std::f64::consts::PI * a * b;
-        assert_close(force, law.force(1.0), 1e-14, law.force(1.0), format!("force at {ratio:e}"));
-        assert!(b <= a && b > 0.0, "{ratio:e}");
+        assert_close(force, law.force(1.0), 1e-14, law.force(1.0), "force");
     }
+    for exponent in -12..=60 {
+        let law = Hertz::elliptic(1.0, [1.0, 1.0 + 10.0_f64.powi(exponent)]).unwrap();
+        let [a, b] = law.semi_axes(1.0);
+        assert!(0.0 < b && b <= a && law.slope(1.0) > 0.0, "1e{exponent}");
+    }
+}
+
+/// Near the end of the line law its slope follows from the force: `d delta / d f` there.
+#[test]
+fn the_line_law_has_its_slope_up_to_its_end() {
+    let body = Elastic::new(100.0, 0.3).unwrap();
+    let (radius, reference_depth) = (3.0, 5.0);
+    let disc = LineContact { radius, thickness: 2.0, reference_depth, finger: body, part: body };
+    let law = Law::line(&disc).unwrap();
+    let largest = law.largest_force();
+    for part in [1e-300, 1e-9, 0.1, 0.9, 1.0 - 1e-3, 1.0 - 1e-6] {
+        let force = largest * part;
+        let h = force * 1e-2 * (1.0 - part).min(0.1);
+        let steps = [-2.0, -1.0, 1.0, 2.0].map(|i| law.overlap(force + i * h));
+        let compliance = (steps[0] - 8.0 * steps[1] + 8.0 * steps[2] - steps[3]) / (12.0 * h);
+        let found = law.slope_at_force(force);
+        // The differences lose the digits of h; the formula does not.
+        let lost = 1e-8 + 1e-14 / (h / force) / (1.0 - part);
+        assert_close(found * compliance, 1.0, lost, 1.0, format!("slope at {part}"));
+    }
+    // The force stays where the law ends, and the energy is its integral still.
+    let end = match &law {
+        Law::Line(line) => line.largest_overlap(),
+        _ => unreachable!("made above"),
+    };
+    let more = law.energy(2.0 * end) - law.energy(end);
+    assert_close(more, largest * end, 1e-14, largest * end, "energy beyond the end");
 }
 
 /// The Hessian grows with the radii of either body: flatter is stiffer.
@@ -322,4 +367,27 @@ fn a_pointed_part_is_a_pointed_finger_seen_from_the_part() {
     // About the corner nothing turns.
     let about = contact.overlap().hessian(point);
     assert!(about.coupling.max_abs() <= 1e-16 && about.rotational.max_abs() <= 1e-16);
+}
+
+/// Far larger radii than depths and displacements cost no digits.
+#[test]
+fn the_depth_after_a_small_motion_keeps_its_digits_beside_large_radii() {
+    let normal = Vector::new([0.36, 0.48, 0.8]);
+    for size in [1.0, 1e6, 1e12] {
+        for (finger, part) in [(size, f64::INFINITY), (size, 2.0 * size), (size, -2.0 * size)] {
+            let place = Geometry {
+                point: Vector::new([0.5, 0.25, 0.125]),
+                inward_normal: normal,
+                finger: Curvature::round(finger),
+                part: Curvature::round(part),
+            };
+            let law = Law::linear(1.0).unwrap();
+            let contact = Contact::<3, 3>::overlapping(place, law, 7e-4).unwrap();
+            let after = |frame: &spatial::Frame| contact.overlap().depth_after(frame);
+            assert_eq!(after(&spatial::Frame::IDENTITY), 7e-4);
+            let shift = normal * 1e-4;
+            let found = after(&Frame::at(shift));
+            assert_close(found, 6e-4, 1e-12, 6e-4, format!("shift at {size:e}"));
+        }
+    }
 }

@@ -4,7 +4,8 @@ use clench_contact::{
     Contact, ContactError, Curvature, Elastic, ForceLaw, Geometry, Hertz, Law, Line, LineContact,
     Material, Order, Units, effective_modulus,
 };
-use clench_screw::{Mat, Vector};
+use clench_screw::{Mat, Vector, spatial};
+use clench_testkit::{Random, assert_close};
 
 fn contact(
     point: [f64; 2],
@@ -82,7 +83,16 @@ fn without_preload_both_orders_agree() {
 }
 
 fn solid(finger: Curvature<3>, part: Curvature<3>, overlap: f64) -> Result<(), ContactError> {
-    let (point, inward_normal) = (Vector::ZERO, Vector::new([0.0, 0.0, 1.0]));
+    along(Vector::new([0.0, 0.0, 1.0]), finger, part, overlap)
+}
+
+fn along(
+    inward_normal: Vector<3>,
+    finger: Curvature<3>,
+    part: Curvature<3>,
+    overlap: f64,
+) -> Result<(), ContactError> {
+    let point = Vector::ZERO;
     let place = Geometry { point, inward_normal, finger, part };
     Contact::<3, 3>::overlapping(place, Law::linear(1.0).unwrap(), overlap).map(|_| ())
 }
@@ -242,4 +252,130 @@ fn the_line_law_ends_at_its_largest_force() {
         found,
         Err(ContactError::NotPositive { parameter: "largest force", value: 0.0 })
     ));
+}
+
+/// A direction that no coordinate axis is special for, a unit vector across it, and one across
+/// both.
+fn oblique(r: &mut Random) -> [Vector<3>; 3] {
+    let normal: Vector<3> = r.array(1.0).into();
+    let normal = normal * normal.norm().recip();
+    let first = spatial::cross(normal, r.array(1.0).into());
+    let first = first * first.norm().recip();
+    [normal, first, spatial::cross(normal, first)]
+}
+
+/// Where limits meet, roots are double and differences nothing but rounding: no direction of the
+/// normal may decide otherwise than another.
+#[test]
+fn limits_are_the_same_for_all_normals() {
+    let r = &mut Random::new(61);
+    let round = Curvature::round;
+    for _ in 0..2000 {
+        let [normal, first, second] = oblique(r);
+        let (at, beyond) = (r.between(0.99, 1.0) - 1e-6, r.between(1.0, 2.0) + 1e-6);
+        let limits = [
+            (round(1.0), round(2.0), 3.0),
+            (Curvature::POINTED, round(2.0), 2.0),
+            (round(2.0), Curvature::POINTED, 2.0),
+            (Curvature::principal([1.0, 2.0], first), Curvature::principal([2.0, 1.0], first), 3.0),
+            (
+                Curvature::principal([1.0, 2.0], first),
+                Curvature::principal([1.0, 2.0], second),
+                3.0,
+            ),
+        ];
+        for (finger, part, limit) in limits {
+            assert_eq!(along(normal, finger, part, at * limit), Ok(()));
+            let found = along(normal, finger, part, beyond * limit);
+            let Err(ContactError::TooDeep { limit: found, .. }) = found else {
+                panic!("{found:?} at {beyond} of {limit}")
+            };
+            assert_close(found, limit, 1e-7, limit, "limit");
+        }
+
+        // A cylinder on a face, and two parallel ones, touch along a line.
+        let cylinder = Curvature::principal([1.0, f64::INFINITY], first);
+        for part in [Curvature::FLAT, cylinder] {
+            let found = along(normal, cylinder, part, 0.0);
+            assert!(matches!(found, Err(ContactError::NoGap { .. })), "{found:?}");
+            let place = Geometry { point: first, inward_normal: normal, finger: cylinder, part };
+            assert_eq!(place.relative_curvature().unwrap().smaller, 0.0);
+            let parameter = "smaller relative curvature";
+            assert_eq!(
+                Law::hertz(1.0, &place),
+                Err(ContactError::NotPositive { parameter, value: 0.0 })
+            );
+        }
+
+        // A direction along the normal is none in the tangent plane.
+        let none = Curvature::principal([1.0, 2.0], normal * r.between(0.1, 10.0));
+        let found = along(normal, none, Curvature::FLAT, 0.0);
+        assert_eq!(found, Err(ContactError::NoPrincipalDirection { body: "finger" }));
+
+        // A ball in a socket of nearly its own size, as close as the plane allows too.
+        assert_eq!(along(normal, round(10.0), round(-10.0 * (1.0 + 1e-12)), 0.0), Ok(()));
+        let found = along(normal, round(10.0), round(-10.0), 0.0);
+        assert!(matches!(found, Err(ContactError::NoGap { .. })), "{found:?}");
+    }
+}
+
+#[test]
+fn nearly_straight_boundaries_keep_their_digits() {
+    let [x, z] = [[1.0, 0.0, 0.0], [0.0, 0.0, 1.0]].map(Vector::new);
+    for exponent in 0..=12 {
+        let radius = 10.0_f64.powi(exponent);
+        let finger = Curvature::principal([1.0, radius], x);
+        let place = Geometry { point: z, inward_normal: z, finger, part: Curvature::FLAT };
+        let law = Law::linear(1.0).unwrap();
+        let contact = Contact::<3, 3>::overlapping(place, law, 0.25).unwrap();
+        // Turning about y tilts along x, turning about x along y.
+        let hessian = contact.overlap().hessian(z);
+        assert_close(hessian.rotational[1][1], 0.75, 1e-15, 1.0, "the short way");
+        assert_close(hessian.rotational[0][0], radius - 0.25, 1e-15, radius, "the long way");
+    }
+}
+
+/// A law that breaks its promises is found out where it matters.
+#[derive(Debug)]
+struct Liar {
+    force: f64,
+    overlap: f64,
+    largest: f64,
+}
+
+impl ForceLaw for Liar {
+    fn force(&self, _: f64) -> f64 {
+        self.force
+    }
+    fn slope(&self, _: f64) -> f64 {
+        1.0
+    }
+    fn energy(&self, _: f64) -> f64 {
+        0.0
+    }
+    fn overlap(&self, _: f64) -> f64 {
+        self.overlap
+    }
+    fn largest_force(&self) -> f64 {
+        self.largest
+    }
+}
+
+#[test]
+fn a_custom_law_that_lies_is_refused() {
+    let place = Geometry::on_face(Vector::ZERO, Vector::new([0.0, 1.0]), 1.0);
+    let good = || Liar { force: 1.0, overlap: 1.0, largest: f64::INFINITY };
+    let new = |liar| Contact::<2, 1>::new(place, Law::custom(liar), 1.0).map(|_| ());
+    let overlapping =
+        |liar| Contact::<2, 1>::overlapping(place, Law::custom(liar), 1.0).map(|_| ());
+    assert_eq!((new(good()), overlapping(good())), (Ok(()), Ok(())));
+    let parameter = "overlap at the preload";
+    let found = new(Liar { overlap: -5.0, ..good() });
+    assert_eq!(found, Err(ContactError::Negative { parameter, value: -5.0 }));
+    let parameter = "force at the overlap";
+    let found = overlapping(Liar { force: -1.0, ..good() });
+    assert_eq!(found, Err(ContactError::Negative { parameter, value: -1.0 }));
+    assert!(overlapping(Liar { force: f64::NAN, ..good() }).is_err());
+    let found = new(Liar { largest: f64::NAN, ..good() });
+    assert!(matches!(found, Err(ContactError::BeyondLaw { force: 1.0, .. })), "{found:?}");
 }

@@ -207,7 +207,7 @@ fn lengths_and_forces_by_powers_of_64_change_the_units_exactly() {
 /// The balanced preloads are all of them: each null vector balances, and their number is that of
 /// the contacts less the rank.
 #[test]
-fn null_vectors_balance_and_the_best_preload_maximises_the_weakest() {
+fn null_vectors_balance() {
     let r = &mut Random::new(24);
     for pairs in [2, 3, 4, 6] {
         let grasp = balanced::<3, 3>(r, pairs);
@@ -215,35 +215,48 @@ fn null_vectors_balance_and_the_best_preload_maximises_the_weakest() {
         let count = grasp.contacts().len();
         assert_eq!(preloads.basis.len(), count - preloads.rank);
         for shares in preloads.basis.iter().chain(preloads.best.as_ref().map(|b| &b.shares)) {
-            let contacts = grasp.contacts().iter().zip(shares).map(|(c, f)| {
-                let (point, normal) = (c.overlap().point(), c.overlap().inward_normal());
-                c.unit_wrench(Vector::ZERO).force.norm() * f * point.norm().max(1.0) * normal.norm()
-            });
-            let scale: f64 = contacts.map(f64::abs).sum();
-            let net = grasp
-                .contacts()
-                .iter()
-                .zip(shares)
-                .fold(clench_screw::Wrench::<3, 3>::ZERO, |sum, (c, f)| {
-                    sum + c.unit_wrench(Vector::ZERO) * *f
-                });
+            let mut net = clench_screw::Wrench::<3, 3>::ZERO;
+            let mut scale = 0.0;
+            for (c, f) in grasp.contacts().iter().zip(shares) {
+                net += c.unit_wrench(Vector::ZERO) * *f;
+                scale += f.abs() * c.overlap().point().norm().max(1.0);
+            }
             assert!(net.force.norm() <= 1e-13 * scale && net.torque.norm() <= 1e-13 * scale);
         }
-        let best = preloads.best.expect("pairs balance with positive forces");
-        // Each pair can carry the same, so the weakest finger carries at least that.
-        assert!(best.margin >= 1.0 / count as f64 - 1e-9, "{}", best.margin);
-        // Random feasible preloads never have a stronger weakest finger.
-        for _ in 0..200 {
-            let mut shares = best.shares.clone();
-            for b in &preloads.basis {
-                let step = r.between(-0.3, 0.3);
-                shares.iter_mut().zip(b).for_each(|(f, x)| *f += step * x);
+    }
+}
+
+/// From the best preload no way along the balanced ones leads to a stronger weakest finger. The
+/// fingers are scattered around a ball, so that the best shares are all different.
+#[test]
+fn the_best_preload_has_the_strongest_weakest_finger() {
+    let r = &mut Random::new(31);
+    let mut improvable = 0;
+    for _ in 0..100 {
+        let contacts = (0..10).map(|_| {
+            let (point, aside): (Vector<3>, Vector<3>) = (r.array(1.0).into(), r.array(0.5).into());
+            let place = Geometry::on_face(point, aside - point, 0.1);
+            Contact::<3, 3>::new(place, Law::linear(1.0).unwrap(), 0.0).unwrap()
+        });
+        let grasp = Grasp::new(contacts.collect()).unwrap();
+        let preloads = grasp.preloads().unwrap();
+        let best = preloads.best.expect("ten fingers have balanced preloads with a total");
+        let spread = best.shares.iter().copied().fold(0.0, f64::max) - best.margin;
+        improvable += usize::from(spread > 0.01);
+        for step in [1e-3, 1e-2, 0.1, 1.0] {
+            for _ in 0..100 {
+                let mut shares = best.shares.clone();
+                for b in &preloads.basis {
+                    let step = r.between(-step, step);
+                    shares.iter_mut().zip(b).for_each(|(f, x)| *f += step * x);
+                }
+                let total: f64 = shares.iter().sum();
+                let least = shares.iter().copied().fold(f64::INFINITY, f64::min);
+                assert!(total <= 0.0 || least / total <= best.margin + 1e-9);
             }
-            let total: f64 = shares.iter().sum();
-            let least = shares.iter().copied().fold(f64::INFINITY, f64::min);
-            assert!(total <= 0.0 || least / total <= best.margin + 1e-9);
         }
     }
+    assert!(improvable > 90, "{improvable}");
 }
 
 #[test]

@@ -39,6 +39,60 @@ fn a_load_that_is_not_finite_is_refused_with_its_number() {
     assert_eq!(grasp().equilibrium().relative_force, 1.0);
 }
 
+/// The sum is out of range though each share is not, and the last one is to blame.
+#[test]
+fn a_sum_that_overflows_is_refused_with_its_contact() {
+    let stiff = || {
+        let place = Geometry::on_face(Vector::new([0.0, 0.0]), Vector::new([0.0, 1.0]), 0.0);
+        Contact::<2, 1>::new(place, Law::linear(1.2e308).unwrap(), 0.0).unwrap()
+    };
+    let found = Grasp::new(vec![stiff(), stiff()]);
+    assert_eq!(found, Err(GraspError::OutOfRange { contact: 1 }));
+}
+
+/// A load that does nothing, however far away, makes no couple look small.
+#[test]
+fn a_far_load_hides_no_torque() {
+    for force in [0.0, 1e-9] {
+        let contacts = vec![finger(-1.0, 0.0, 0.0, 1.0, 1.0), finger(1.0, 0.0, 0.0, -1.0, 1.0)];
+        let load = DeadLoad { point: Vector::new([1e9, 0.0]), force: Vector::new([force, 0.0]) };
+        let grasp = Grasp::new(contacts).unwrap().with_loads(vec![load]).unwrap();
+        let equilibrium = grasp.equilibrium();
+        assert!(!equilibrium.holds && equilibrium.relative_torque > 0.1);
+    }
+}
+
+#[test]
+fn forces_of_any_size_are_judged_alike() {
+    for size in [1e-300, 1.0, 1e150] {
+        let pair = |left: f64| {
+            let law = || Law::linear(1.0).unwrap();
+            let finger = |x: f64, f: f64| {
+                let place = Geometry::on_face(Vector::new([x, 0.0]), Vector::new([-x, 0.0]), 0.0);
+                Contact::<2, 1>::new(place, law(), f).unwrap()
+            };
+            Grasp::new(vec![finger(1.0, left), finger(-1.0, size)]).unwrap().equilibrium()
+        };
+        assert!(pair(size).holds);
+        assert!((pair(0.5 * size).relative_force - 1.0 / 3.0).abs() < 1e-15);
+    }
+}
+
+/// The mean of three equal numbers may be another one; that is no length.
+#[test]
+fn contacts_in_one_place_have_no_length_wherever_that_is() {
+    for place in [[0.1, 0.7], [0.3, 0.9], [1e6, 1e-3]] {
+        let contacts = (0..3).map(|i| {
+            let (sin, cos) = (std::f64::consts::TAU * f64::from(i) / 3.0).sin_cos();
+            let place = Geometry::on_face(place.into(), Vector::new([cos, sin]), 0.5);
+            Contact::<2, 1>::new(place, Law::linear(1.0).unwrap(), 0.2).unwrap()
+        });
+        let grasp = Grasp::new(contacts.collect()).unwrap();
+        assert_eq!(grasp.length(), 0.0);
+        assert_eq!(grasp.stability(), Stability::SecondOrder, "{place:?}");
+    }
+}
+
 #[test]
 fn one_finger_holds_nothing() {
     let grasp = Grasp::new(vec![finger(1.0, 1.0, 0.0, 1.0, 0.0)]).unwrap();
