@@ -85,6 +85,7 @@ fn steps(libraries: &[&Package]) -> Vec<Step> {
         .with("RUSTDOCFLAGS", "-D warnings"),
         Step::new("tidy", "xtask tidy", "as each finding says, then cargo xtask tidy"),
         Step::new("paper", "xtask paper --check", "cargo xtask paper, and look at the change"),
+        Step::new("guide", "xtask guide --check", "cargo xtask guide, and look at the change"),
     ];
     steps.extend(libraries.iter().flat_map(|library| alone(library)));
     // `--benches` in the profile of the tests: `cargo bench` would build every dependency again.
@@ -132,7 +133,10 @@ mod tests {
     fn steps_run_in_the_order_of_the_page_on_architecture() {
         let mut names: Vec<_> = sound_steps().iter().map(|step| step.name).collect();
         names.dedup();
-        assert_eq!(names, ["fmt", "clippy", "tests", "docs", "tidy", "paper", "alone", "benches"]);
+        assert_eq!(
+            names,
+            ["fmt", "clippy", "tests", "docs", "tidy", "paper", "guide", "alone", "benches"]
+        );
     }
 
     #[test]

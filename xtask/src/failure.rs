@@ -48,8 +48,11 @@ pub(crate) enum Failure {
     /// A number of the paper could not be computed.
     #[error("cannot recompute the paper: {0}")]
     Paper(crate::paper::PaperError),
+    /// A number of the guide could not be computed.
+    #[error("cannot compute the example of the guide: {0}")]
+    Guide(crate::guide::GuideError),
     /// A figure could not be drawn.
-    #[error("cannot draw a figure of the paper: {0}")]
+    #[error("cannot draw a figure: {0}")]
     Figure(clench_draw::DrawError),
     /// A file of the repository could not be written.
     #[error("cannot write {path}: {source}")]
@@ -60,10 +63,14 @@ pub(crate) enum Failure {
         source: io::Error,
     },
     /// A made file is not the one that would be made now.
-    #[error("{path} is not what the code makes\n  mend: cargo xtask paper, and look at the change")]
+    #[error(
+        "{path} is not what the code makes\n  mend: cargo xtask {task}, and look at the change"
+    )]
     Stale {
         /// The path, from the root of the repository.
         path: String,
+        /// The task that makes the file.
+        task: &'static str,
     },
     /// Printed digits were not reproduced; the table has been printed.
     #[error("{missed} printed numbers of the paper are missed, see the table")]

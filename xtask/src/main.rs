@@ -7,11 +7,15 @@
 
 mod ci;
 mod failure;
+mod guide;
+mod made;
 mod paper;
 mod tidy;
 mod workspace;
 
 use std::process::ExitCode;
+
+use made::Mode;
 
 const USAGE: &str = "\
 usage: cargo xtask TASK
@@ -19,6 +23,7 @@ usage: cargo xtask TASK
   ci      everything a change must pass, in the order of the printed steps
   tidy    the rules of the repository that no compiler checks
   paper   the paper's numbers and figures, into docs/paper; --check writes nothing
+  guide   the pictures of the guide, into docs/guide; --check writes nothing
 ";
 
 fn main() -> ExitCode {
@@ -27,8 +32,10 @@ fn main() -> ExitCode {
     let done = match words.as_slice() {
         ["ci"] => ci::run(),
         ["tidy"] => tidy::run(),
-        ["paper"] => paper::run(paper::Mode::Write),
-        ["paper", "--check"] => paper::run(paper::Mode::Check),
+        ["paper"] => paper::run(Mode::Write),
+        ["paper", "--check"] => paper::run(Mode::Check),
+        ["guide"] => guide::run(Mode::Write),
+        ["guide", "--check"] => guide::run(Mode::Check),
         _ => {
             eprint!("{USAGE}");
             return ExitCode::from(2);

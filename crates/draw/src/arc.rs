@@ -18,6 +18,15 @@ pub(crate) struct EllipseArc {
     pub(crate) to: f64,
 }
 
+/// A piece of a closed boundary; straight lines join the end of one to the start of the next.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) enum Piece {
+    /// A corner between straight lines.
+    Corner([f64; 2]),
+    /// An arc, from its start to its end.
+    Arc(EllipseArc),
+}
+
 impl EllipseArc {
     /// A whole circle.
     pub(crate) const fn circle(center: [f64; 2], radius: f64) -> Self {

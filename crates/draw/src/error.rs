@@ -16,6 +16,12 @@ pub enum Input {
     FingerNormal,
     /// The radius of a finger.
     FingerRadius,
+    /// The radius of a part's boundary.
+    PartRadius,
+    /// The overlap of a contact.
+    Overlap,
+    /// The half width of the area of contact.
+    HalfWidth,
     /// The center of compliance.
     Center,
     /// The farthest corner.
@@ -38,6 +44,9 @@ impl fmt::Display for Input {
             Self::FingerPoint => f.write_str("finger point"),
             Self::FingerNormal => f.write_str("finger normal"),
             Self::FingerRadius => f.write_str("finger radius"),
+            Self::PartRadius => f.write_str("part radius"),
+            Self::Overlap => f.write_str("overlap"),
+            Self::HalfWidth => f.write_str("half width of the contact"),
             Self::Center => f.write_str("center of compliance"),
             Self::FarthestCorner => f.write_str("farthest corner"),
             Self::Region(region) => write!(f, "region {region}"),
@@ -89,6 +98,47 @@ pub enum DrawError {
         finger: usize,
         /// Its radius.
         radius: f64,
+    },
+    /// A length that has to be positive is not.
+    #[error("{input} is {value}, which is not positive")]
+    NotPositive {
+        /// Which length.
+        input: Input,
+        /// The number as given.
+        value: f64,
+    },
+    /// A hollow as narrow as the finger: they touch in more than one point.
+    #[error("a finger of radius {finger} does not fit into a hollow of radius {hollow}")]
+    TightHollow {
+        /// The finger's radius.
+        finger: f64,
+        /// The radius of the hollow, positive.
+        hollow: f64,
+    },
+    /// The overlap leaves no room to tell the radii.
+    #[error("the overlap is {overlap}, more than half the smaller radius, {limit}")]
+    OverlapTooDeep {
+        /// The overlap.
+        overlap: f64,
+        /// Half the smaller radius.
+        limit: f64,
+    },
+    /// The overlap is so slight that a picture to scale cannot show it: draw a larger one, and
+    /// say so in the caption.
+    #[error("half the lens of overlap is {ratio} times as wide as deep, more than {limit}")]
+    LensTooFlat {
+        /// Half the width of the lens over the overlap.
+        ratio: f64,
+        /// The largest ratio that is drawn.
+        limit: f64,
+    },
+    /// The area of contact reaches beyond the lens of overlap.
+    #[error("the half width of the contact is {half_width}, but that of the overlap is {limit}")]
+    ContactBeyondLens {
+        /// Half the width of the area of contact.
+        half_width: f64,
+        /// Half the width of the lens of overlap.
+        limit: f64,
     },
     /// A finger's inward normal is not of unit length, to the accuracy of a drawing.
     #[error("the inward normal of finger {finger} has length {length} instead of 1")]

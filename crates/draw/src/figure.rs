@@ -3,7 +3,7 @@
 use std::f64::consts::FRAC_PI_2;
 use std::fmt::Write;
 
-use crate::arc::EllipseArc;
+use crate::arc::{EllipseArc, Piece};
 use crate::error::DrawError;
 use crate::number::number;
 use crate::page_box::PageBox;
@@ -25,7 +25,8 @@ const HIGHLIGHT: f64 = 0.4;
 /// White border around what is drawn, in page units.
 const BORDER: f64 = 12.0;
 
-/// A finished picture, from [`GraspPicture::figure`](crate::GraspPicture::figure) or
+/// A finished picture, from [`GraspPicture::figure`](crate::GraspPicture::figure),
+/// [`ContactPicture::figure`](crate::ContactPicture::figure) or
 /// [`EnergyEllipsoids::figure`](crate::EnergyEllipsoids::figure).
 ///
 /// The page is what was drawn plus a white border, so nothing is cut off. Its unit is the CSS
@@ -108,6 +109,18 @@ impl Figure {
     pub(crate) fn arc(&mut self, arc: &EllipseArc, paint: &Paint) {
         let path = self.arc_path(arc, line_width(paint));
         self.path(&path, paint);
+    }
+
+    /// A closed shape bounded by arcs and straight lines, in order.
+    pub(crate) fn closed(&mut self, pieces: &[Piece], paint: &Paint) {
+        let mut path = String::new();
+        for piece in pieces {
+            match piece {
+                Piece::Corner(corner) => self.push_lines(&mut path, &[*corner], line_width(paint)),
+                Piece::Arc(arc) => self.push_arc(&mut path, arc, line_width(paint)),
+            }
+        }
+        self.path(&(path + "Z"), paint);
     }
 
     /// A polygon shaded like a piece of a ball lit from the upper left; the ball's outline is
@@ -209,33 +222,39 @@ impl Figure {
 
     fn lines(&mut self, points: &[[f64; 2]], width: f64) -> String {
         let mut path = String::new();
-        for (index, &point) in points.iter().enumerate() {
-            let page = self.to_page(point);
-            self.ink.include(page, width / 2.0);
-            path.push(if index == 0 { 'M' } else { 'L' });
-            push_point(&mut path, page);
-        }
+        self.push_lines(&mut path, points, width);
         path
     }
 
     fn arc_path(&mut self, arc: &EllipseArc, width: f64) -> String {
         let mut path = String::new();
-        for (index, point) in arc.beziers().into_iter().enumerate() {
-            let page = self.to_page(point);
-            path.push_str(match (index, index % 3) {
-                (0, _) => "M",
-                (_, 1) => "C",
-                _ => " ",
-            });
-            push_point(&mut path, page);
-            if index % 3 == 0 {
-                self.ink.include(page, width / 2.0);
-            }
-        }
+        self.push_arc(&mut path, arc, width);
         if arc.closes() {
             path.push('Z');
         }
         path
+    }
+
+    fn push_lines(&mut self, path: &mut String, points: &[[f64; 2]], width: f64) {
+        for &point in points {
+            let page = self.to_page(point);
+            self.ink.include(page, width / 2.0);
+            path.push(if path.is_empty() { 'M' } else { 'L' });
+            push_point(path, page);
+        }
+    }
+
+    fn push_arc(&mut self, path: &mut String, arc: &EllipseArc, width: f64) {
+        let points = arc.beziers();
+        self.push_lines(path, &points[..1], width);
+        for (index, &point) in points.iter().enumerate().skip(1) {
+            let page = self.to_page(point);
+            path.push(if index % 3 == 1 { 'C' } else { ' ' });
+            push_point(path, page);
+            if index % 3 == 0 {
+                self.ink.include(page, width / 2.0);
+            }
+        }
     }
 
     fn path(&mut self, path: &str, paint: &Paint) {
@@ -300,6 +319,16 @@ mod tests {
         for quarter in ["M200 100", " 100 0C", " 0 100C", " 100 200C", " 200 100Z"] {
             assert!(figure.body.contains(quarter), "{quarter} in {}", figure.body);
         }
+    }
+
+    #[test]
+    fn a_closed_shape_goes_straight_to_where_an_arc_begins() {
+        let mut figure = figure([[-1.0, -1.0], [1.0, 1.0]], [200.0, 200.0]);
+        let quarter = EllipseArc::circle([0.0, 0.0], 1.0).between(0.0, FRAC_PI_2);
+        let pieces = [Piece::Corner([0.0, 0.0]), Piece::Arc(quarter)];
+        figure.closed(&pieces, &Paint::fill(Color::PART));
+        assert!(figure.body.starts_with("<path d=\"M100 100L200 100C"), "{}", figure.body);
+        assert!(figure.body.contains(" 100 0Z\""), "{}", figure.body);
     }
 
     #[test]

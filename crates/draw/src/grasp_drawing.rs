@@ -3,6 +3,7 @@
 use std::f64::consts::PI;
 
 use crate::arc::EllipseArc;
+use crate::caption;
 use crate::error::DrawError;
 use crate::figure::Figure;
 use crate::finger::Finger;
@@ -60,7 +61,7 @@ pub(crate) fn draw(picture: &GraspPicture) -> Result<Figure, DrawError> {
     drawing.avoid_fingers();
     drawing.corner_labels();
     drawing.mark_labels();
-    drawing.caption();
+    caption::write(&mut drawing.figure, &picture.caption);
     drawing.title();
     Ok(drawing.figure)
 }

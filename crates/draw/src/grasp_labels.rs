@@ -2,14 +2,9 @@
 
 use crate::grasp_drawing::{Drawing, PAD, WEDGE};
 use crate::grasp_picture::Mark;
+use crate::labels::Spot;
 use crate::paint::Color;
-use crate::text::{Anchor, LABEL_SIZE, SMALL_SIZE, TITLE_SIZE, Text};
-
-/// Room kept free beside a label, in page units.
-const PADDING: f64 = 4.0;
-
-/// The width of what is drawn over its height from which the caption goes below.
-const WIDE: f64 = 1.7;
+use crate::text::{Anchor, LABEL_SIZE, TITLE_SIZE, Text};
 
 impl Drawing<'_> {
     pub(crate) fn finger_labels(&mut self) {
@@ -65,28 +60,7 @@ impl Drawing<'_> {
             return;
         }
         let text = Text::new(label, LABEL_SIZE).colored(color).with_halo();
-        let page = self.figure.to_page(at);
-        let [width, height] = text.page_size();
-        let center = self.labels.place([width + PADDING, height], page, toward, gap);
-        self.figure.caption(center, &text);
-    }
-
-    /// Beside what is drawn, or below it where that is wide; so it never covers anything.
-    pub(crate) fn caption(&mut self) {
-        let ink = self.figure.ink();
-        let [width, height] = ink.size();
-        let lines = &self.picture.caption;
-        let line = 1.55 * SMALL_SIZE;
-        let block = line * lines.len().saturating_sub(1) as f64;
-        let start = if width > WIDE * height {
-            [ink.min[0], ink.max[1] + 1.8 * line]
-        } else {
-            [ink.max[0] + 2.0 * SMALL_SIZE, f64::midpoint(ink.min[1], ink.max[1]) - block / 2.0]
-        };
-        for (i, content) in lines.iter().enumerate() {
-            let text = Text::new(content.as_str(), SMALL_SIZE).anchored(Anchor::Start);
-            self.figure.caption([start[0], start[1] + line * i as f64], &text);
-        }
+        self.labels.write(&mut self.figure, &text, Spot { at, toward, gap });
     }
 
     pub(crate) fn title(&mut self) {

@@ -1,6 +1,11 @@
 //! Where labels go so that they cover neither lines nor one another.
 
+use crate::figure::Figure;
 use crate::page_box::PageBox;
+use crate::text::Text;
+
+/// Room kept free beside a label, in page units.
+const PADDING: f64 = 4.0;
 
 /// Turns away from the wanted direction that are tried, in degrees.
 const TURNS: [f64; 15] = [
@@ -22,6 +27,17 @@ pub(crate) enum Weight {
     Soft,
     /// An outline.
     Hard,
+}
+
+/// Where a label is wanted.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Spot {
+    /// The world point that it names.
+    pub(crate) at: [f64; 2],
+    /// The unit direction from there, y down.
+    pub(crate) toward: [f64; 2],
+    /// The gap between the point and the label's edge, in page units.
+    pub(crate) gap: f64,
 }
 
 /// The obstacles so far, in page units.
@@ -46,15 +62,16 @@ impl Labels {
         }
     }
 
-    /// The center for a label of this size at a point, as near as can be to the wanted
-    /// direction and gap; the label becomes an obstacle.
-    pub(crate) fn place(
-        &mut self,
-        size: [f64; 2],
-        at: [f64; 2],
-        toward: [f64; 2],
-        gap: f64,
-    ) -> [f64; 2] {
+    /// Writes a label as near as can be to where it is wanted; it becomes an obstacle.
+    pub(crate) fn write(&mut self, figure: &mut Figure, text: &Text, spot: Spot) {
+        let [width, height] = text.page_size();
+        let center = self.place([width + PADDING, height], figure.to_page(spot.at), spot);
+        figure.caption(center, text);
+    }
+
+    /// The center on the page for a label of this size at a page position.
+    fn place(&mut self, size: [f64; 2], at: [f64; 2], spot: Spot) -> [f64; 2] {
+        let Spot { toward, gap, .. } = spot;
         let mut best = (f64::INFINITY, at);
         for turn in TURNS {
             let (sin, cos) = turn.to_radians().sin_cos();

@@ -1,11 +1,12 @@
-//! Pictures of parts, fingers, axes and energy ellipsoids.
+//! Pictures of parts, fingers, contacts, axes and energy ellipsoids.
 //!
 //! | to draw | use |
 //! | --- | --- |
 //! | a planar part with its fingers, center of compliance and numbers | [`GraspPicture`] |
+//! | the cross-section of one contact, to scale | [`ContactPicture`] |
 //! | the energy ellipsoids of a planar grasp in two frames | [`EnergyEllipsoids`] |
 //!
-//! Both give a [`Figure`].
+//! All give a [`Figure`].
 //!
 //! This crate computes no metric: every number it shows is given to it, and what it works out
 //! itself is where things stand on the page. It takes plain arrays, so it draws what any
@@ -42,9 +43,16 @@
 mod finger;
 mod grasp_picture;
 
+mod caption;
 mod grasp_drawing;
 mod grasp_labels;
 mod labels;
+
+mod contact_picture;
+
+mod contact_drawing;
+mod contact_labels;
+mod contact_layout;
 
 mod energy_ellipsoids;
 mod energy_surface;
@@ -69,6 +77,7 @@ mod error;
 mod number;
 mod world_map;
 
+pub use contact_picture::ContactPicture;
 pub use energy_ellipsoids::EnergyEllipsoids;
 pub use energy_surface::EnergySpace;
 pub use error::{DrawError, Input};

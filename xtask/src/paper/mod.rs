@@ -10,26 +10,11 @@ mod table;
 
 pub(crate) use grasps::PaperError;
 
-use std::fs;
-use std::path::{Path, PathBuf};
-
 use crate::failure::Failure;
-use crate::workspace::ROOT;
+use crate::made::{Folder, Mode};
 
 /// Where the table and the figures stand.
 const FOLDER: &str = "docs/paper";
-
-/// Pixels per unit of the page: sharp on a screen of twice the usual density.
-const PNG_SCALE: f64 = 2.0;
-
-/// What to do with the results.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Mode {
-    /// Write them.
-    Write,
-    /// Compare them with what stands in the repository.
-    Check,
-}
 
 /// Recomputes the paper.
 pub(crate) fn run(mode: Mode) -> Result<(), Failure> {
@@ -37,46 +22,13 @@ pub(crate) fn run(mode: Mode) -> Result<(), Failure> {
     let rows = table::rows(&paper);
     let page = table::page(&rows);
     print!("{page}");
-    let folder = PathBuf::from(ROOT).join(FOLDER);
-    if mode == Mode::Write {
-        fs::create_dir_all(&folder).map_err(|source| unwritable(&folder, source))?;
-    }
-    settle(mode, &folder.join("README.md"), page.as_bytes())?;
+    let folder = Folder::open(FOLDER, mode, "paper")?;
+    folder.file("README.md", page.as_bytes())?;
     for (name, figure) in figures::all(&paper).map_err(Failure::Figure)? {
-        settle(mode, &folder.join(format!("{name}.svg")), figure.to_svg().as_bytes())?;
-        let picture = folder.join(format!("{name}.png"));
-        match mode {
-            Mode::Write => {
-                let bytes = figure.to_png(PNG_SCALE).map_err(Failure::Figure)?;
-                settle(mode, &picture, &bytes)?;
-            }
-            // Another processor may round a pixel otherwise; the SVG says what is drawn.
-            Mode::Check if !picture.exists() => {
-                return Err(Failure::Stale { path: shown(&picture) });
-            }
-            Mode::Check => {}
-        }
+        folder.figure(name, &figure)?;
     }
     match rows.iter().filter(|row| !row.agrees()).count() {
         0 => Ok(()),
         missed => Err(Failure::MissedDigits { missed }),
     }
-}
-
-/// Writes `content` to `path`, or finds it there.
-fn settle(mode: Mode, path: &Path, content: &[u8]) -> Result<(), Failure> {
-    match mode {
-        Mode::Write => fs::write(path, content).map_err(|source| unwritable(path, source)),
-        Mode::Check if fs::read(path).is_ok_and(|found| found == content) => Ok(()),
-        Mode::Check => Err(Failure::Stale { path: shown(path) }),
-    }
-}
-
-fn unwritable(path: &Path, source: std::io::Error) -> Failure {
-    Failure::Unwritable { path: shown(path), source }
-}
-
-/// The path from the root of the repository.
-fn shown(path: &Path) -> String {
-    path.strip_prefix(ROOT).unwrap_or(path).display().to_string()
 }
