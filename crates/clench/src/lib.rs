@@ -6,8 +6,8 @@
 //! | to ... | use |
 //! | --- | --- |
 //! | change the frame of twists, wrenches and stiffnesses | [`screw`] |
-//! | validate an outline, find its smallest circle and farthest corners | [`shape`] |
-//! | get the stiffness of one contact from its law and geometry | [`contact`] |
+//! | validate an outline or a solid, find where to touch it, measure an overlap | [`shape`] |
+//! | get the stiffness of one contact from materials, curvatures and preload | [`contact`] |
 //! | get energy, equilibrium, preload, stiffness and stability of a grasp | [`stiffness`] |
 //! | get frame-invariant numbers from any stiffness | [`metrics`] |
 //! | find the best placement of fingers | [`optimize`] |

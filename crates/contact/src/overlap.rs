@@ -30,10 +30,10 @@ pub struct Overlap<const N: usize, const M: usize> {
     depth: f64,
     /// `M^-1`: what sliding along the boundary costs.
     slide: Mat<N, N>,
-    /// `M^-1 S_B`: how far the point of contact rolls.
-    roll: Mat<N, N>,
-    /// `S_B M^-1 Sigma`: what tilting costs.
-    tilt: Mat<N, N>,
+    /// `M^-1 S_B lever(n)`: how turning makes the point of contact roll.
+    roll: Mat<N, M>,
+    /// `lever(n)^T S_B M^-1 Sigma lever(n)`: what tilting gains.
+    tilt: Mat<M, M>,
 }
 
 impl<const N: usize, const M: usize> Overlap<N, M> {
@@ -47,12 +47,13 @@ impl<const N: usize, const M: usize> Overlap<N, M> {
         // With S_A = x Y^-1, Sigma = X Y^-1 and S_B = Y_B^-1 x_B: M^-1 = Y W^-1 Y_B.
         let x = tangent.projector() * a.x - a.y * depth;
         let inverse = tangent.inverse(&(a.y * b.x + b.y * x));
+        let normal = lever::<N, M>(geometry.inward_normal);
         Ok(Self {
             geometry,
             depth,
             slide: a.y * inverse * b.y,
-            roll: a.y * inverse * b.x,
-            tilt: x * inverse * b.x,
+            roll: a.y * inverse * normal * b.x,
+            tilt: (normal.transpose() * (x * inverse * normal)).symmetric_part() * b.x,
         })
     }
 
@@ -113,11 +114,11 @@ impl<const N: usize, const M: usize> Overlap<N, M> {
                 self.depth - more * 1.0_f64.copysign(away)
             }
             _ => {
-                let u = shift - n * n.dot(shift);
-                let e = n * n.dot(turn) - turn;
-                self.depth - n.dot(shift) - 0.5 * u.dot(self.slide * u)
-                    + u.dot(self.roll * e)
-                    + 0.5 * e.dot(self.tilt * e)
+                // u is taken in the tangent plane by the matrices, e = -turn is lever(n) omega.
+                let omega = lever::<N, M>(n).transpose() * -turn;
+                self.depth - n.dot(shift) - 0.5 * shift.dot(self.slide * shift)
+                    + shift.dot(self.roll * omega)
+                    + 0.5 * omega.dot(self.tilt * omega)
             }
         }
     }
@@ -139,13 +140,11 @@ impl<const N: usize, const M: usize> Overlap<N, M> {
         let arm = lever::<N, M>(self.geometry.point - origin);
         let normal = lever::<N, M>(self.geometry.inward_normal);
         let sliding = self.slide * arm;
-        let rolling = self.roll * normal;
-        let half = rolling + (sliding + normal * -1.0) * 0.5;
-        let tilting = normal.transpose() * (self.tilt * normal);
+        let half = self.roll + (sliding - normal) * 0.5;
         Stiffness {
             translational: self.slide * -1.0,
-            coupling: sliding + rolling,
-            rotational: tilting + (arm.transpose() * half).symmetric_part() * -2.0,
+            coupling: sliding + self.roll,
+            rotational: self.tilt - (arm.transpose() * half).symmetric_part() * 2.0,
         }
     }
 }
