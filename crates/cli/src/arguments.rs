@@ -5,7 +5,6 @@ use std::path::PathBuf;
 
 use clap::error::ErrorKind;
 use clap::{Args, CommandFactory, Parser, Subcommand, ValueEnum};
-use clench::screw::planar::Frame;
 
 const FILE: &str = "\
 A part file, in TOML (or the same in JSON):
@@ -16,19 +15,36 @@ A part file, in TOML (or the same in JSON):
   outline = [[0, 0], [13, 0], [9, 8], [2, 6]]  # corners, either way round
   stiffness = 1.0                            # of a contact on each edge; or a list, one per edge
 
+`analyze` knows more parts, one shape each:
+
+  [part.planar]                              # instead of an outline:
+  ellipse = [40, 25]                         # semi-axes; center = [x, y] if not the origin
+  [part.spatial]
+  vertices = [[0, 0, 0], ..]                 # with
+  faces = [[0, 3, 2, 1], ..]                 # counter-clockwise seen from outside; or
+  mesh = \"bracket.stl\"                      # STL or OBJ, beside this file; or
+  ellipsoid = [30, 20, 15]
+
 A grasp file has contacts besides:
 
   [[contacts]]
-  point = [6.5, 0]
+  point = [6.5, 0]                           # or the center of a round finger, without a preload
   preload = 2.0                              # 0 if left out
-  finger = { radius = 0.5 }                  # a pointed finger if left out
-  law = { kind = \"linear\", stiffness = 3.0 } # that of the edge if left out; or
+  finger = { radius = 0.5 }                  # a pointed finger if left out; in space also
+  # finger = { curvatures = [0.1, 0], direction = [1, 0, 0] }
+  law = { kind = \"linear\", stiffness = 3.0 } # that of the part if left out; or
   # law = { kind = \"power\", coefficient = 3.0, exponent = 1.5 }
-  edge = 0                                   # needed at a corner only; or
+  # law = { kind = \"hertz\", finger = \"tool steel\", part = \"aluminium 6061\" }
+  edge = 0                                   # or face; needed where several meet; or
   # inward_normal = [0, 1]
 
-Corners, edges and contacts count from 0; edge e joins corner e to corner e + 1. A contact has to
-be on the outline up to 1e-6 of the part's radius. `-` reads standard input.
+  [[loads]]                                  # such as the weight
+  point = [6, 4]
+  force = [0, -9.81]
+
+docs/files.md has all fields. Corners, vertices, edges, faces and contacts count from 0; edge e
+joins corner e to corner e + 1. A contact has to be on the boundary up to 1e-6 of the part's
+radius. `-` reads standard input.
 
 Not checked: fingers may overlap each other or the part away from their contacts, and nothing says
 whether there is room for them. With four fingers the radius does not enter the optimum.
@@ -38,7 +54,8 @@ Exit codes: 0 an answer; 1 bad input, nothing written; 2 wrong usage; 3 no answe
 Examples:
   clench optimize bracket.toml --fingers 4 --svg bracket.svg
   clench optimize bracket.toml --fingers 3 --preload 200 --format json > grasp.json
-  clench analyze grasp.json --frame 20,10,0.5";
+  clench analyze grasp.json --frame 20,10,0.5
+  clench analyze cube-grasp.toml --frame 50,50,50,0,0,0";
 
 /// How well a compliant grasp or fixture holds a part, and where to put the fingers.
 ///
@@ -68,12 +85,13 @@ pub(crate) enum Command {
 pub(crate) struct AnalyzeArguments {
     /// The grasp file, or what `optimize --format json` wrote.
     pub(crate) grasp: PathBuf,
-    /// Leave out (first) or take in (second) what preload and finger radius add to the stiffness;
-    /// second if there is a preload and it balances.
+    /// Leave out (first) or take in (second) what preloads, curvatures and loads add to the
+    /// stiffness; second if there are forces and they balance.
     #[arg(long, value_enum)]
     pub(crate) order: Option<OrderArgument>,
     /// The frame to write everything in: its origin, and its angle in radians, counter-clockwise;
-    /// the file's own if left out.
+    /// in space X,Y,Z,RX,RY,RZ with a rotation vector, axis times angle; the file's own if left
+    /// out.
     #[arg(long, value_name = "X,Y,ANGLE", value_parser = frame, allow_hyphen_values = true)]
     pub(crate) frame: Option<FrameArgument>,
     #[command(flatten)]
@@ -111,7 +129,7 @@ pub(crate) struct OutputArguments {
     /// The form of the report.
     #[arg(long, value_enum, default_value = "text")]
     pub(crate) format: Format,
-    /// Draw the grasp into this file, always in the frame of the input file.
+    /// Draw the grasp into this file, always in the frame of the input file; planar parts only.
     #[arg(long, value_name = "FILE")]
     pub(crate) svg: Option<PathBuf>,
 }
@@ -139,12 +157,9 @@ pub(crate) enum Format {
     Json,
 }
 
-/// A frame as it is written on the command line.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct FrameArgument {
-    pub(crate) origin: [f64; 2],
-    pub(crate) angle: f64,
-}
+/// A frame as it is written on the command line: of the plane by three numbers, of space by six.
+#[derive(Clone, Debug)]
+pub(crate) struct FrameArgument(pub(crate) Vec<f64>);
 
 impl Arguments {
     /// The command line; wrong usage ends the program, with code 2.
@@ -162,21 +177,14 @@ impl Arguments {
     }
 }
 
-impl FrameArgument {
-    /// The frame of the file itself.
-    pub(crate) const FILE: Self = Self { origin: [0.0; 2], angle: 0.0 };
-
-    /// The frame, seen from that of the file.
-    pub(crate) fn frame(self) -> Frame {
-        Frame::new(self.origin, self.angle)
-    }
-}
-
 fn frame(text: &str) -> Result<FrameArgument, String> {
     let numbers: Vec<f64> = text.split(',').map(finite).collect::<Result<_, _>>()?;
-    match numbers[..] {
-        [x, y, angle] => Ok(FrameArgument { origin: [x, y], angle }),
-        _ => Err(format!("found {} numbers, expected three: x,y,angle", numbers.len())),
+    match numbers.len() {
+        3 | 6 => Ok(FrameArgument(numbers)),
+        count => Err(format!(
+            "found {count} numbers, expected three in the plane: x,y,angle; \
+             or six in space: x,y,z,rx,ry,rz"
+        )),
     }
 }
 

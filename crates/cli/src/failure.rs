@@ -32,6 +32,15 @@ pub(crate) enum Failure {
     /// Standard output that cannot be written.
     #[error("the report cannot be written to standard output: {0}")]
     Output(io::Error),
+    /// A picture of a solid.
+    #[error("pictures of solids are not drawn yet, so --svg is for planar parts only")]
+    SolidPicture,
+    /// The frame of the command line has another dimension than the part.
+    #[error("--frame has {found} numbers, expected three for a planar part: x,y,angle")]
+    PlanarFrame { found: usize },
+    /// The frame of the command line has another dimension than the part.
+    #[error("--frame has {found} numbers, expected six for a spatial part: x,y,z,rx,ry,rz")]
+    SpatialFrame { found: usize },
     /// A grasp that no page can show.
     #[error("the picture cannot be drawn: {0}")]
     Picture(#[from] DrawError),
@@ -47,6 +56,13 @@ pub(crate) enum Failure {
     /// A result out of the range of the numbers.
     #[error("{name}: {source}; choose units in which lengths and forces are nearer to 1")]
     Range { name: String, source: OutOfRange },
+}
+
+impl Failure {
+    /// Whether the command line is wrong rather than the file: together they make no sense.
+    pub(crate) const fn is_usage(&self) -> bool {
+        matches!(self, Self::SolidPicture | Self::PlanarFrame { .. } | Self::SpatialFrame { .. })
+    }
 }
 
 impl From<InputError> for Failure {

@@ -15,6 +15,7 @@ mod report;
 
 mod output;
 mod progress;
+mod view;
 mod wording;
 
 use std::io::{self, IsTerminal, Write};
@@ -29,6 +30,9 @@ use crate::failure::Failure;
 
 /// Bad input; nothing was written.
 const BAD_INPUT: u8 = 1;
+
+/// A command line that does not go with the file; nothing was written. Clap uses it too.
+const WRONG_USAGE: u8 = 2;
 
 /// A sound question without an answer.
 const NO_ANSWER: u8 = 3;
@@ -47,7 +51,7 @@ fn main() -> ExitCode {
         }
         Err(failure) => {
             complain(&shown(&failure));
-            ExitCode::from(BAD_INPUT)
+            ExitCode::from(if failure.is_usage() { WRONG_USAGE } else { BAD_INPUT })
         }
     }
 }
@@ -61,7 +65,8 @@ fn finish(
     let answer = answer?;
     if let Some(path) = &output.svg {
         output::check_apart(path, input)?;
-        output::write_file(path, &answer.picture.figure()?.to_svg())?;
+        let picture = answer.picture.as_ref().ok_or(Failure::SolidPicture)?;
+        output::write_file(path, &picture.figure()?.to_svg())?;
     }
     output::write_report(&answer.report)?;
     Ok(answer)

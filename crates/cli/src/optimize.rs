@@ -6,7 +6,7 @@ use clench::optimize::polygon::{FourFingers, Part, ThreeFingers, four_fingers, t
 use clench::optimize::{OptimizeError, Outcome, Solution};
 use clench::stiffness::{Grasp, GraspError};
 
-use crate::analyze::Metrics;
+use crate::analyze::principal;
 use crate::answer::Answer;
 use crate::arguments::{Fingers, Format, OptimizeArguments};
 use crate::failure::Failure;
@@ -42,7 +42,7 @@ pub(crate) enum OutOfRange {
 /// Runs the command.
 pub(crate) fn optimize(arguments: &OptimizeArguments) -> Result<Answer, Failure> {
     let (document, file) = Document::read(&arguments.part)?;
-    let part = input::planar_part(&document, &file.part)?;
+    let part = input::outline_part(&document, &file.part)?;
     let question = question(arguments, &file);
     let outcome = match search(&part, arguments) {
         Ok(outcome) => outcome,
@@ -64,7 +64,7 @@ pub(crate) fn optimize(arguments: &OptimizeArguments) -> Result<Answer, Failure>
         Format::Json => report::json(&report)?,
     };
     let picture = picture::of_optimum(&report, &part);
-    Ok(Answer { report: text, picture, reason: None })
+    Ok(Answer { report: text, picture: Some(picture), reason: None })
 }
 
 fn question<'a>(arguments: &OptimizeArguments, file: &'a schema::File) -> Question<'a> {
@@ -109,7 +109,8 @@ fn unanswered(
         Format::Text => String::new(),
         Format::Json => report::json(&UnansweredReport { question, reason: &reason })?,
     };
-    Ok(Answer { report, picture: picture::of_part(part), reason: Some(reason) })
+    let picture = picture::of_outline(part.outline());
+    Ok(Answer { report, picture: Some(picture), reason: Some(reason) })
 }
 
 /// What the search does not say about a placement.
@@ -131,8 +132,8 @@ fn examine<'a>(
     });
     let grasp = Grasp::new(contacts.collect::<Result<_, _>>()?)?;
     let worst = WorstPoint::of(&solution.principal, part.outline())?;
-    let second_order = arguments
-        .preload
-        .map(|_| Metrics::of(&grasp, Order::Second, part).map(|metrics| metrics.quality));
+    let second_order = arguments.preload.map(|_| {
+        principal(&grasp, Order::Second).map(|principal| Quality::of(&principal, part.outline()))
+    });
     Ok(Found { solution, worst, second_order })
 }

@@ -1,17 +1,23 @@
 //! Pictures of grasps, from what the reports say.
 
 use clench::optimize::polygon::Part;
+use clench::screw::Vector;
+use clench::shape::{Ellipsoid, Polygon};
 use clench_draw::{Finger, GraspPicture, Mark};
 
 use crate::analyze::Analysis;
+use crate::input::{PieceKind, PlanarShape};
 use crate::report::{LimitWord, OptimumReport, UnitNames, spot};
 
 /// Outlines with more corners, such as flattened arcs, are drawn without their numbers.
 const NUMBERED_CORNERS: usize = 40;
 
+/// An ellipse is drawn with this many corners: on a page of a thousand points they are less than
+/// a hundredth of a point off.
+const SMOOTH_CORNERS: usize = 360;
+
 /// The part, without fingers.
-pub(crate) fn of_part(part: &Part) -> GraspPicture {
-    let outline = part.outline();
+pub(crate) fn of_outline(outline: &Polygon) -> GraspPicture {
     let count = outline.corners().len();
     let numbered = if count <= NUMBERED_CORNERS { count } else { 0 };
     GraspPicture {
@@ -19,6 +25,16 @@ pub(crate) fn of_part(part: &Part) -> GraspPicture {
         corner_labels: (0..numbered).map(|corner| corner.to_string()).collect(),
         ..GraspPicture::default()
     }
+}
+
+fn of_ellipse(ellipse: &Ellipsoid<2>) -> GraspPicture {
+    let [a, b] = ellipse.semi_axes();
+    let corner = |i: usize| {
+        let (sine, cosine) = (std::f64::consts::TAU * i as f64 / SMOOTH_CORNERS as f64).sin_cos();
+        let from_center = *ellipse.axes() * Vector::new([a * cosine, b * sine]);
+        (ellipse.center() + from_center).to_array()
+    };
+    GraspPicture { outline: (0..SMOOTH_CORNERS).map(corner).collect(), ..GraspPicture::default() }
 }
 
 /// The best placement.
@@ -42,22 +58,30 @@ pub(crate) fn of_optimum(report: &OptimumReport<'_>, part: &Part) -> GraspPictur
         corner: best.reach.corner,
         worst_point_stiffness: best.worst_point_stiffness,
     };
-    let mut picture = numbers.drawn_on(of_part(part), part, units);
+    let corners = part.outline().corners();
+    let mut picture = numbers.drawn_on(of_outline(part.outline()), units);
+    picture.farthest_corner = Some(corners[best.reach.corner].to_array());
     picture.fingers = fingers.collect();
-    let contacts = best.contacts.iter().map(|contact| (contact.edge, contact.point));
+    let contacts = best.contacts.iter().map(|contact| (Some(contact.edge), contact.point));
     picture.caption.push(String::new());
-    picture.caption.extend(placed(contacts, part, units));
+    let size = part.outline().enclosing_circle().radius;
+    picture.caption.extend(placed(contacts, size, units));
     picture
 }
 
 /// The grasp that was analyzed, in the frame of the file.
-pub(crate) fn of_analysis(analysis: &Analysis<'_>) -> GraspPicture {
-    let (part, units) = (analysis.part, UnitNames(analysis.units));
+pub(crate) fn of_analysis(analysis: &Analysis<'_, 2, 1>, shape: &PlanarShape) -> GraspPicture {
+    let units = UnitNames(analysis.units);
+    let picture = match shape {
+        PlanarShape::Outline(outline) => of_outline(outline),
+        PlanarShape::Ellipse(ellipse) => of_ellipse(ellipse),
+    };
+    let mut picture = held(analysis, picture);
     let contacts = analysis.grasp.contacts();
     let fingers = contacts.iter().enumerate().map(|(i, contact)| Finger {
         point: contact.overlap().point().to_array(),
         inward_normal: contact.overlap().inward_normal().to_array(),
-        radius: contact.overlap().geometry().finger.radius().unwrap_or(0.0),
+        radius: drawn_radius(contact.overlap().geometry().finger.radius()),
         label: finger_name(i),
         preload: if contact.preload() > 0.0 {
             units.force(contact.preload())
@@ -65,29 +89,51 @@ pub(crate) fn of_analysis(analysis: &Analysis<'_>) -> GraspPicture {
             String::new()
         },
     });
-    let mut picture = of_part(part);
-    if let Ok(metrics) = &analysis.metrics {
-        let quality = metrics.quality;
-        let numbers = Numbers {
-            quality: quality.value,
-            limited_by: quality.limited_by.into(),
-            sigma_min: quality.translational,
-            mu_eq: quality.equivalent,
-            center: metrics.principal.center().to_array(),
-            reach: quality.reach.distance,
-            corner: quality.reach.corner,
-            worst_point_stiffness: metrics.worst.stiffness,
-        };
-        picture = numbers.drawn_on(picture, part, units);
-        picture.caption.push(String::new());
-    } else {
-        picture.caption.push("not held".to_owned());
-    }
     picture.fingers = fingers.collect();
     let points = contacts.iter().map(|contact| contact.overlap().point().to_array());
-    let contacts = analysis.edges.iter().copied().zip(points);
-    picture.caption.extend(placed(contacts, part, units));
+    let edge = |piece: Option<(PieceKind, usize)>| piece.map(|(_, number)| number);
+    let edges = analysis.touches.iter().map(|touch| edge(touch.piece));
+    picture.caption.extend(placed(edges.zip(points), analysis.size, units));
     picture
+}
+
+/// The picture with what is known of the grasp as a whole.
+fn held(analysis: &Analysis<'_, 2, 1>, picture: GraspPicture) -> GraspPicture {
+    let units = UnitNames(analysis.units);
+    let Ok(metrics) = &analysis.metrics else {
+        return GraspPicture { caption: vec!["not held".to_owned()], ..picture };
+    };
+    let principal = &metrics.principal;
+    let center = principal.center().to_array();
+    let Some(found) = &metrics.quality else {
+        let caption = vec![
+            format!("σ_{{min}} = {}", units.stiffness(principal.translational().values[0])),
+            format!("μ = {}", units.torque(principal.rotational().values[0])),
+            String::new(),
+        ];
+        let center = Some(Mark { point: center, label: "c".to_owned() });
+        return GraspPicture { center, caption, ..picture };
+    };
+    let quality = found.quality;
+    let numbers = Numbers {
+        quality: quality.value,
+        limited_by: quality.limited_by.into(),
+        sigma_min: quality.translational,
+        mu_eq: quality.equivalent,
+        center,
+        reach: quality.reach.distance,
+        corner: quality.reach.corner,
+        worst_point_stiffness: found.worst.stiffness,
+    };
+    let mut picture = numbers.drawn_on(picture, units);
+    picture.farthest_corner = Some(found.farthest.to_array());
+    picture.caption.push(String::new());
+    picture
+}
+
+/// Hollow and straight fingers are larger than the part: only their place is shown.
+fn drawn_radius(radius: Option<f64>) -> f64 {
+    radius.filter(|radius| *radius > 0.0 && radius.is_finite()).unwrap_or(0.0)
 }
 
 /// The numbers beside a picture.
@@ -103,7 +149,7 @@ struct Numbers {
 }
 
 impl Numbers {
-    fn drawn_on(&self, picture: GraspPicture, part: &Part, units: UnitNames<'_>) -> GraspPicture {
+    fn drawn_on(&self, picture: GraspPicture, units: UnitNames<'_>) -> GraspPicture {
         let stiffness = |value: f64| units.stiffness(value);
         let caption = vec![
             format!("Q = {}", stiffness(self.quality)),
@@ -116,7 +162,6 @@ impl Numbers {
         ];
         GraspPicture {
             center: Some(Mark { point: self.center, label: "c".to_owned() }),
-            farthest_corner: Some(part.outline().corners()[self.corner].to_array()),
             caption,
             ..picture
         }
@@ -125,15 +170,15 @@ impl Numbers {
 
 /// Where the fingers are, a line for each.
 fn placed(
-    contacts: impl Iterator<Item = (usize, [f64; 2])>,
-    part: &Part,
+    contacts: impl Iterator<Item = (Option<usize>, [f64; 2])>,
+    size: f64,
     units: UnitNames<'_>,
 ) -> Vec<String> {
-    let size = part.outline().enclosing_circle().radius;
     let length = &units.0.length;
-    let line = |(i, (edge, point)): (usize, (usize, [f64; 2]))| {
-        let at = spot(point, size);
-        format!("{} at {at} {length}, edge {edge}", finger_name(i))
+    let line = |(i, (edge, point)): (usize, (Option<usize>, [f64; 2]))| {
+        let at = spot(&point, size);
+        let edge = edge.map_or_else(String::new, |edge| format!(", edge {edge}"));
+        format!("{} at {at} {length}{edge}", finger_name(i))
     };
     contacts.enumerate().map(line).collect()
 }

@@ -57,8 +57,11 @@ impl<const N: usize, const M: usize> Grasp<N, M> {
     ///
     /// [`GraspError::Load`] when a load or its torque about the centroid is not finite.
     pub fn with_loads(mut self, loads: Vec<DeadLoad<N>>) -> Result<Self, GraspError> {
-        let finite =
-            |load: &DeadLoad<N>| load.is_finite() && load.stiffness::<M>(self.centroid).is_finite();
+        let finite = |load: &DeadLoad<N>| {
+            load.is_finite()
+                && load.stiffness::<M>(self.centroid).is_finite()
+                && load.wrench::<M>(self.centroid).torque.is_finite()
+        };
         if let Some(load) = loads.iter().position(|load| !finite(load)) {
             return Err(GraspError::Load { load });
         }

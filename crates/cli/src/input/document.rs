@@ -2,7 +2,7 @@
 
 use std::fs;
 use std::io::{self, Read};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use serde::Deserialize;
 
@@ -21,6 +21,7 @@ const STANDARD_INPUT: &str = "-";
 #[derive(Debug)]
 pub(crate) struct Document {
     name: String,
+    folder: PathBuf,
     text: String,
     root: Node,
 }
@@ -40,7 +41,8 @@ impl Document {
         let root = parsed.map_err(|Located { span, fault }| {
             InputError::new(&name, &text, &Place::default(), &span, fault)
         })?;
-        let document = Self { name, text, root: schema::without_results(root) };
+        let folder = path.parent().map(Path::to_owned).unwrap_or_default();
+        let document = Self { name, folder, text, root: schema::without_results(root) };
         let file = document.checked()?;
         Ok((document, file))
     }
@@ -50,10 +52,16 @@ impl Document {
         &self.name
     }
 
+    /// The folder from which the file names others: its own, or the current one for standard
+    /// input.
+    pub(crate) fn folder(&self) -> &Path {
+        &self.folder
+    }
+
     /// The error that the value at `place` has a fault.
-    pub(crate) fn error(&self, place: &Place, fault: Fault) -> Failure {
+    pub(crate) fn error(&self, place: &Place, fault: impl Into<Fault>) -> Failure {
         let (span, exists) = self.root.span_of(place);
-        let error = InputError::new(&self.name, &self.text, place, &span, fault);
+        let error = InputError::new(&self.name, &self.text, place, &span, fault.into());
         if exists { error.into() } else { error.without_excerpt().into() }
     }
 

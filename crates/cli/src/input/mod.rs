@@ -1,8 +1,20 @@
 //! Part and grasp files: read, checked against the schema, turned into what the libraries take.
 
 mod document;
-mod grasp;
+
 mod part;
+mod solid;
+
+mod mesh;
+
+mod grasp;
+
+mod contact;
+mod law;
+
+mod boundary;
+mod dimension;
+mod units;
 
 mod number;
 pub(crate) mod schema;
@@ -16,8 +28,9 @@ mod node;
 mod reader;
 mod toml_tree;
 
+pub(crate) use boundary::PieceKind;
 pub(crate) use document::Document;
 pub(crate) use fault::InputError;
-pub(crate) use grasp::grasp;
+pub(crate) use grasp::{FileGrasp, Touch, planar_grasp, spatial_grasp};
 pub(crate) use number::Finite;
-pub(crate) use part::planar_part;
+pub(crate) use part::{Part, PlanarShape, outline_part, part};

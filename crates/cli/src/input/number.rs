@@ -3,7 +3,7 @@
 use std::fmt;
 
 use serde::de::{Deserializer, Error, SeqAccess, Unexpected, Visitor};
-use serde::{Deserialize, Serialize};
+use serde::{Deserialize, Serialize, Serializer};
 
 /// Whole numbers up to here are exact as doubles.
 const LARGEST_WHOLE: f64 = 9_007_199_254_740_992.0;
@@ -20,23 +20,31 @@ pub(crate) struct Whole(pub(crate) u64);
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub(crate) struct Name(pub(crate) String);
 
-/// A point or a direction of the plane.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
-pub(crate) struct Point(pub(crate) [f64; 2]);
+/// The path of another file.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) struct FileName(pub(crate) String);
 
-/// One number for all edges, or one for each.
+/// A point or a direction of the plane (`N` = 2) or of space (`N` = 3).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Point<const N: usize>(pub(crate) [f64; N]);
+
+/// A point or a direction of the plane or of space: which of them, the part says.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Coordinates(pub(crate) Vec<f64>);
+
+/// One number for all edges or faces, or one for each.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[serde(untagged)]
-pub(crate) enum PerEdge {
+pub(crate) enum PerPiece {
     All(Finite),
     Each(Vec<Finite>),
 }
 
-impl PerEdge {
-    /// The number of each of `edges` edges.
-    pub(crate) fn each(&self, edges: usize) -> Vec<f64> {
+impl PerPiece {
+    /// The number of each of `pieces` edges or faces.
+    pub(crate) fn each(&self, pieces: usize) -> Vec<f64> {
         match self {
-            Self::All(value) => vec![value.0; edges],
+            Self::All(value) => vec![value.0; pieces],
             Self::Each(values) => values.iter().map(|value| value.0).collect(),
         }
     }
@@ -123,55 +131,102 @@ impl Visitor<'_> for NameVisitor {
     }
 }
 
-impl<'de> Deserialize<'de> for Point {
+impl<'de> Deserialize<'de> for FileName {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        deserializer.deserialize_seq(PointVisitor)
+        deserializer.deserialize_str(FileNameVisitor)
     }
 }
 
-struct PointVisitor;
+struct FileNameVisitor;
 
-impl<'de> Visitor<'de> for PointVisitor {
-    type Value = Point;
+impl Visitor<'_> for FileNameVisitor {
+    type Value = FileName;
 
     fn expecting(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
-        out.write_str("two numbers [x, y]")
+        out.write_str("the name of a file, such as \"part.stl\"")
     }
 
-    fn visit_seq<A: SeqAccess<'de>>(self, mut items: A) -> Result<Point, A::Error> {
-        let mut numbers = Vec::with_capacity(2);
+    fn visit_str<E: Error>(self, text: &str) -> Result<FileName, E> {
+        Ok(FileName(text.to_owned()))
+    }
+}
+
+impl<'de, const N: usize> Deserialize<'de> for Point<N> {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        let numbers = deserializer.deserialize_seq(NumbersVisitor { counts: &[N] })?;
+        numbers.try_into().map(Point).map_err(|_| D::Error::custom(in_words(&[N])))
+    }
+}
+
+impl<const N: usize> Serialize for Point<N> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        self.0.as_slice().serialize(serializer)
+    }
+}
+
+impl<'de> Deserialize<'de> for Coordinates {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        deserializer.deserialize_seq(NumbersVisitor { counts: &[2, 3] }).map(Coordinates)
+    }
+}
+
+/// As many coordinates as one of `counts`.
+struct NumbersVisitor {
+    counts: &'static [usize],
+}
+
+impl<'de> Visitor<'de> for NumbersVisitor {
+    type Value = Vec<f64>;
+
+    fn expecting(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
+        out.write_str(in_words(self.counts))
+    }
+
+    fn visit_seq<A: SeqAccess<'de>>(self, mut items: A) -> Result<Vec<f64>, A::Error> {
+        let mut numbers = Vec::with_capacity(3);
         while let Some(Finite(number)) = items.next_element()? {
             numbers.push(number);
         }
-        let count = numbers.len();
-        numbers.try_into().map(Point).map_err(|_| A::Error::invalid_length(count, &self))
+        if self.counts.contains(&numbers.len()) {
+            return Ok(numbers);
+        }
+        Err(A::Error::invalid_length(numbers.len(), &self))
     }
 }
 
-impl<'de> Deserialize<'de> for PerEdge {
+/// Coordinates of these numbers, as messages call them.
+pub(super) fn in_words(counts: &[usize]) -> &'static str {
+    match counts {
+        [2] => "two numbers [x, y]",
+        [3] => "three numbers [x, y, z]",
+        _ => "two numbers [x, y], or three numbers [x, y, z]",
+    }
+}
+
+impl<'de> Deserialize<'de> for PerPiece {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        deserializer.deserialize_any(PerEdgeVisitor)
+        deserializer.deserialize_any(PerPieceVisitor)
     }
 }
 
-struct PerEdgeVisitor;
+struct PerPieceVisitor;
 
-impl<'de> Visitor<'de> for PerEdgeVisitor {
-    type Value = PerEdge;
+impl<'de> Visitor<'de> for PerPieceVisitor {
+    type Value = PerPiece;
 
     fn expecting(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
-        out.write_str("a finite number, or a list of one per edge")
+        out.write_str("a finite number, or a list of one per edge or face")
     }
 
-    fn visit_f64<E: Error>(self, value: f64) -> Result<PerEdge, E> {
-        FiniteVisitor.visit_f64(value).map(PerEdge::All)
+    fn visit_f64<E: Error>(self, value: f64) -> Result<PerPiece, E> {
+        FiniteVisitor.visit_f64(value).map(PerPiece::All)
     }
 
-    fn visit_seq<A: SeqAccess<'de>>(self, mut items: A) -> Result<PerEdge, A::Error> {
+    fn visit_seq<A: SeqAccess<'de>>(self, mut items: A) -> Result<PerPiece, A::Error> {
         let mut numbers = Vec::new();
         while let Some(number) = items.next_element()? {
             numbers.push(number);
         }
-        Ok(PerEdge::Each(numbers))
+        Ok(PerPiece::Each(numbers))
     }
 }

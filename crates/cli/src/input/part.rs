@@ -1,47 +1,146 @@
 //! From the numbers of a file to a part.
 
 use clench::optimize::OptimizeError;
-use clench::optimize::polygon::Part;
-use clench::shape::{Polygon, PolygonError};
+use clench::optimize::polygon;
+use clench::screw::Vector;
+use clench::shape::{Ellipsoid, EllipsoidError, Polygon, PolygonError};
 
 use super::document::Document;
-use super::fault::Fault;
-use super::number::PerEdge;
+use super::fault::PartFault;
+use super::number::{PerPiece, Point};
 use super::place::Place;
 use super::schema;
+use super::solid;
 use crate::failure::Failure;
 
-/// The part of a file.
-pub(crate) fn planar_part(document: &Document, part: &schema::Part) -> Result<Part, Failure> {
-    let here = Place::default().field("part");
-    if part.spatial.is_some() {
-        return Err(document.error(&here.field("spatial"), Fault::SpatialPart));
+pub(crate) use super::solid::SpatialShape;
+
+/// A part, and how stiff a contact on it is unless it has a law.
+#[derive(Debug)]
+pub(crate) enum Part {
+    Planar(Body<PlanarShape>),
+    Spatial(Body<SpatialShape>),
+}
+
+/// A shape, and the stiffness of a contact on each edge or face of it.
+#[derive(Debug)]
+pub(crate) struct Body<S> {
+    pub(crate) shape: S,
+    pub(super) stiffness: Option<Vec<f64>>,
+}
+
+/// A planar part.
+#[derive(Debug)]
+pub(crate) enum PlanarShape {
+    Outline(Box<Polygon>),
+    Ellipse(Ellipsoid<2>),
+}
+
+/// The part of a file, for analysis.
+pub(crate) fn part(document: &Document, part: &schema::Part) -> Result<Part, Failure> {
+    match (&part.planar, &part.spatial) {
+        (Some(planar), None) => planar_body(document, planar).map(Part::Planar),
+        (None, Some(spatial)) => solid::body(document, spatial).map(Part::Spatial),
+        (None, None) => Err(document.error(&Place::part(), PartFault::None)),
+        (Some(_), Some(_)) => Err(document.error(&Place::part(), PartFault::Two)),
     }
-    let planar = part.planar.as_ref().ok_or_else(|| document.error(&here, Fault::NoPart))?;
-    let corners: Vec<[f64; 2]> = planar.outline.iter().map(|corner| corner.0).collect();
-    let outline = Polygon::new(&corners).map_err(|e| {
+}
+
+/// The part of a file, for the placement of fingers: an outline with its stiffness.
+pub(crate) fn outline_part(
+    document: &Document,
+    part: &schema::Part,
+) -> Result<polygon::Part, Failure> {
+    if part.spatial.is_some() {
+        return Err(document.error(&Place::spatial(), PartFault::SpatialOptimum));
+    }
+    let Some(planar) = &part.planar else {
+        return Err(document.error(&Place::part(), PartFault::None));
+    };
+    let here = |fault| document.error(&Place::planar(), fault);
+    match (&planar.outline, &planar.stiffness) {
+        (None, _) => Err(here(PartFault::SmoothOptimum)),
+        (Some(_), _) if planar.ellipse.is_some() => {
+            Err(here(PartFault::PlanarShape { found: "both" }))
+        }
+        (Some(_), None) => Err(here(PartFault::NoStiffness)),
+        (Some(corners), Some(stiffness)) => {
+            check_no_center(document, planar)?;
+            let outline = outline(document, corners)?;
+            with_stiffness(document, outline, stiffness)
+        }
+    }
+}
+
+fn planar_body(document: &Document, planar: &schema::Planar) -> Result<Body<PlanarShape>, Failure> {
+    match (&planar.outline, &planar.ellipse) {
+        (Some(corners), None) => {
+            check_no_center(document, planar)?;
+            let outline = outline(document, corners)?;
+            let Some(stiffness) = &planar.stiffness else {
+                let shape = PlanarShape::Outline(Box::new(outline));
+                return Ok(Body { shape, stiffness: None });
+            };
+            let part = with_stiffness(document, outline, stiffness)?;
+            let shape = PlanarShape::Outline(Box::new(part.outline().clone()));
+            Ok(Body { shape, stiffness: Some(part.edge_stiffness().to_vec()) })
+        }
+        (None, Some(semi_axes)) => {
+            let (place, center) = (Place::planar(), planar.center);
+            let ellipse = ellipsoid(document, &place, "ellipse", *semi_axes, center)?;
+            let reason = "an ellipse has no edges";
+            let stiffness = one_stiffness(document, &place, planar.stiffness.as_ref(), reason)?;
+            Ok(Body { shape: PlanarShape::Ellipse(ellipse), stiffness })
+        }
+        (found, _) => {
+            let found = if found.is_some() { "both" } else { "no shape" };
+            Err(document.error(&Place::planar(), PartFault::PlanarShape { found }))
+        }
+    }
+}
+
+fn check_no_center(document: &Document, planar: &schema::Planar) -> Result<(), Failure> {
+    match planar.center {
+        Some(_) => {
+            let fault = PartFault::Center { smooth: "ellipse" };
+            Err(document.error(&Place::planar().field("center"), fault))
+        }
+        None => Ok(()),
+    }
+}
+
+fn outline(document: &Document, corners: &[Point<2>]) -> Result<Polygon, Failure> {
+    let corners: Vec<[f64; 2]> = corners.iter().map(|corner| corner.0).collect();
+    Polygon::new(&corners).map_err(|e| {
         let place = corner_at_fault(&e);
         let fault = match e {
-            PolygonError::TooFewCorners { count } => Fault::TooFewCorners { count },
-            _ => Fault::Outline(e),
+            PolygonError::TooFewCorners { count } => PartFault::TooFewCorners { count },
+            _ => PartFault::Outline(e),
         };
         document.error(&place, fault)
-    })?;
-    let stiffness = planar.stiffness.each(corners.len());
-    let each = matches!(planar.stiffness, PerEdge::Each(_));
-    Part::new(outline, stiffness).map_err(|e| {
+    })
+}
+
+fn with_stiffness(
+    document: &Document,
+    outline: Polygon,
+    stiffness: &PerPiece,
+) -> Result<polygon::Part, Failure> {
+    let each = matches!(stiffness, PerPiece::Each(_));
+    let stiffness = stiffness.each(outline.corners().len());
+    polygon::Part::new(outline, stiffness).map_err(|e| {
         let place = Place::planar().field("stiffness");
         let place = match e {
             OptimizeError::Stiffness { edge, .. } if each => place.item(edge),
             _ => place,
         };
-        document.error(&place, Fault::Stiffness(e))
+        document.error(&place, PartFault::EdgeStiffness(e))
     })
 }
 
 /// The corner of the file that an outline's fault is about; the outline when it is about all.
 fn corner_at_fault(fault: &PolygonError) -> Place {
-    let outline = Place::outline();
+    let outline = Place::planar().field("outline");
     match *fault {
         PolygonError::NotFinite { corner, .. }
         | PolygonError::TooLarge { corner, .. }
@@ -52,4 +151,58 @@ fn corner_at_fault(fault: &PolygonError) -> Place {
         | PolygonError::CrossingEdges { second: corner, .. } => outline.item(corner),
         _ => outline,
     }
+}
+
+/// The ellipse or ellipsoid with `semi_axes` in the field `name` of the part at `place`.
+pub(super) fn ellipsoid<const N: usize>(
+    document: &Document,
+    place: &Place,
+    name: &str,
+    semi_axes: Point<N>,
+    center: Option<Point<N>>,
+) -> Result<Ellipsoid<N>, Failure> {
+    let center = center.map_or(Vector::ZERO, |center| center.0.into());
+    Ellipsoid::new(center, semi_axes.0).map_err(|e| {
+        let axes = || place.clone().field(name);
+        let place = match e {
+            EllipsoidError::CenterNotFinite { component, .. }
+            | EllipsoidError::CenterTooFar { component, .. } => {
+                place.clone().field("center").item(component)
+            }
+            EllipsoidError::SemiAxisOutOfRange { axis, .. } => axes().item(axis),
+            _ => axes(),
+        };
+        document.error(&place, PartFault::Ellipsoid(e))
+    })
+}
+
+/// The stiffness of a contact anywhere on a part whose pieces have none of their own.
+pub(super) fn one_stiffness(
+    document: &Document,
+    part: &Place,
+    stiffness: Option<&PerPiece>,
+    reason: &'static str,
+) -> Result<Option<Vec<f64>>, Failure> {
+    let place = || part.clone().field("stiffness");
+    match stiffness {
+        None => Ok(None),
+        Some(PerPiece::Each(_)) => {
+            Err(document.error(&place(), PartFault::StiffnessList { reason }))
+        }
+        Some(PerPiece::All(value)) => {
+            checked_stiffness(document, &place(), value.0).map(|value| Some(vec![value]))
+        }
+    }
+}
+
+/// A stiffness, if it is positive.
+pub(super) fn checked_stiffness(
+    document: &Document,
+    place: &Place,
+    value: f64,
+) -> Result<f64, Failure> {
+    if value > 0.0 {
+        return Ok(value);
+    }
+    Err(document.error(place, PartFault::Stiffness { value }))
 }

@@ -16,19 +16,29 @@ pub(crate) enum Step {
 pub(crate) struct Place(Vec<Step>);
 
 impl Place {
-    /// The place of the outline's corners.
-    pub(crate) fn outline() -> Self {
-        Self::planar().field("outline")
+    /// The place of the part.
+    pub(crate) fn part() -> Self {
+        Self::default().field("part")
     }
 
     /// The place of a planar part.
     pub(crate) fn planar() -> Self {
-        Self::default().field("part").field("planar")
+        Self::part().field("planar")
+    }
+
+    /// The place of a spatial part.
+    pub(crate) fn spatial() -> Self {
+        Self::part().field("spatial")
     }
 
     /// The place of contact number `i`.
     pub(crate) fn contact(i: usize) -> Self {
         Self::default().field("contacts").item(i)
+    }
+
+    /// The place of load number `i`.
+    pub(crate) fn load(i: usize) -> Self {
+        Self::default().field("loads").item(i)
     }
 
     /// The field `name` of the table at this place.

@@ -1,12 +1,15 @@
 //! The report on a grasp.
 
-use clench::screw::Vector;
+use clench::contact::{Law, Order};
+use clench::screw::Stiffness;
 use clench::stiffness::Equilibrium;
-use serde::Serialize;
+use serde::{Serialize, Serializer};
 
-use super::verdict::{free, pulling, reason, warnings};
-use super::words::{LimitWord, OrderWord, StabilityWord};
-use crate::analyze::{Analysis, Metrics};
+use super::measures::MetricsReport;
+use super::verdict::{FreeMotion, Verdict};
+use super::words::{OrderWord, StabilityWord};
+use crate::analyze::Analysis;
+use crate::input::PieceKind;
 use crate::input::schema::Units;
 
 /// A share of the preload this small is rounding: the forces that balance follow from products
@@ -16,12 +19,18 @@ pub(crate) const NO_SHARE: f64 = 1e-12;
 /// All that `analyze` reports, in the frame asked for.
 #[derive(Debug, Serialize)]
 pub(crate) struct AnalysisReport<'a> {
-    pub(crate) dimension: u8,
+    pub(crate) dimension: usize,
     pub(crate) units: &'a Units,
     pub(crate) frame: FrameReport,
     pub(crate) contacts: Vec<AnalyzedContact>,
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub(crate) loads: Vec<LoadReport>,
     pub(crate) order: OrderWord,
-    pub(crate) stiffness: [[f64; 3]; 3],
+    pub(crate) stiffness: Rows,
+    /// What does not depend on preloads, curvatures and loads.
+    pub(crate) stiffness_first_order: Rows,
+    /// What they add.
+    pub(crate) stiffness_preload: Rows,
     pub(crate) equilibrium: EquilibriumReport,
     pub(crate) stability: StabilityWord,
     #[serde(flatten)]
@@ -44,120 +53,115 @@ pub(crate) struct AnalysisReport<'a> {
     pub(crate) size: f64,
 }
 
+/// The rows of a stiffness matrix.
+pub(crate) type Rows = Vec<Vec<f64>>;
+
 /// The frame that a report is written in, seen from that of the file.
-#[derive(Clone, Copy, Debug, Serialize)]
+#[derive(Clone, Debug, Serialize)]
 pub(crate) struct FrameReport {
-    pub(crate) origin: [f64; 2],
-    /// Counter-clockwise [rad].
-    pub(crate) angle: f64,
+    pub(crate) origin: Vec<f64>,
+    /// In the plane, counter-clockwise [rad].
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(crate) angle: Option<f64>,
+    /// In space, axis times angle [rad].
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(crate) rotation_vector: Option<Vec<f64>>,
 }
 
 /// A contact as it was understood.
 #[derive(Debug, Serialize)]
 pub(crate) struct AnalyzedContact {
-    pub(crate) edge: usize,
-    pub(crate) point: [f64; 2],
-    pub(crate) inward_normal: [f64; 2],
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(crate) edge: Option<usize>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(crate) face: Option<usize>,
+    pub(crate) point: Vec<f64>,
+    pub(crate) inward_normal: Vec<f64>,
+    pub(crate) overlap: f64,
     /// The slope of the law at rest.
     pub(crate) stiffness: f64,
     pub(crate) preload: f64,
     /// Of the balanced preload whose least share is largest.
     pub(crate) balanced_share: Option<f64>,
+    /// The area of contact by Hertz' law.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(crate) contact_ellipse: Option<ContactEllipse>,
+    /// Of the area of contact along a line.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(crate) half_width: Option<f64>,
 }
 
-/// Whether the preloads balance.
-#[derive(Clone, Copy, Debug, Serialize)]
+/// The area of a Hertz contact.
+#[derive(Debug, Serialize)]
+pub(crate) struct ContactEllipse {
+    /// The longer one first.
+    pub(crate) semi_axes: [f64; 2],
+    /// Of the first, in space.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(crate) direction: Option<Vec<f64>>,
+    /// In the middle.
+    pub(crate) peak_pressure: f64,
+}
+
+/// A dead load.
+#[derive(Debug, Serialize)]
+pub(crate) struct LoadReport {
+    pub(crate) point: Vec<f64>,
+    pub(crate) force: Vec<f64>,
+}
+
+/// Whether preloads and loads balance.
+#[derive(Clone, Debug, Serialize)]
 pub(crate) struct EquilibriumReport {
     pub(crate) holds: bool,
-    pub(crate) residual_force: [f64; 2],
+    pub(crate) residual_force: Vec<f64>,
     /// About the frame's origin.
-    pub(crate) residual_torque: f64,
-    /// The residual force relative to the total preload, 0 without one.
+    #[serde(serialize_with = "number_in_the_plane")]
+    pub(crate) residual_torque: Vec<f64>,
+    /// The residual force relative to the total of preloads and loads, 0 without any.
     pub(crate) relative_force: f64,
-    /// The residual torque about the contacts' centroid, relative to the total preload times the
-    /// distance of the farthest contact from there.
+    /// The residual torque about the contacts' centroid, relative to that total times the distance
+    /// of the farthest contact or load from there.
     pub(crate) relative_torque: f64,
-}
-
-/// The numbers that a grasp has if it holds the part.
-#[derive(Debug, Serialize)]
-pub(crate) struct MetricsReport {
-    pub(crate) quality: f64,
-    pub(crate) limited_by: LimitWord,
-    pub(crate) sigma_min: f64,
-    pub(crate) mu_eq: f64,
-    pub(crate) translational: [Translational; 2],
-    pub(crate) rotational: [Rotational; 1],
-    pub(crate) center_of_compliance: [f64; 2],
-    pub(crate) reach: ReachReport,
-    /// Principal rotational stiffnesses that repeat make the quality ambiguous in space; in the
-    /// plane there is one.
-    pub(crate) degenerate: bool,
-    pub(crate) quality_rotational: f64,
-    pub(crate) worst_point_stiffness: f64,
-    pub(crate) worst_point: [f64; 2],
-    pub(crate) worst_corner: usize,
-    pub(crate) worst_direction: [f64; 2],
-}
-
-/// A principal translational stiffness.
-#[derive(Clone, Copy, Debug, Serialize)]
-pub(crate) struct Translational {
-    pub(crate) value: f64,
-    pub(crate) direction: [f64; 2],
-}
-
-/// A principal rotational stiffness.
-#[derive(Clone, Copy, Debug, Serialize)]
-pub(crate) struct Rotational {
-    pub(crate) value: f64,
-    pub(crate) direction: [f64; 3],
-    pub(crate) axis_point: [f64; 2],
-    pub(crate) pitch: f64,
-    pub(crate) reach: f64,
-    pub(crate) equivalent: f64,
-}
-
-/// The corner farthest from the center of compliance.
-#[derive(Clone, Copy, Debug, Serialize)]
-pub(crate) struct ReachReport {
-    pub(crate) corner: usize,
-    pub(crate) point: [f64; 2],
-    pub(crate) distance: f64,
-}
-
-/// What the fingers do not resist.
-#[derive(Clone, Copy, Debug, Serialize)]
-#[serde(tag = "kind", rename_all = "lowercase")]
-pub(crate) enum FreeMotion {
-    Translation { direction: [f64; 2] },
-    Rotation { center: [f64; 2] },
 }
 
 impl<'a> AnalysisReport<'a> {
     /// The report on `analysis`.
-    pub(crate) fn new(analysis: &Analysis<'a>) -> Self {
-        let size = analysis.part.outline().enclosing_circle().radius;
-        let pulling_contacts = pulling(analysis);
-        let free_motion = analysis.metrics.as_ref().err().and_then(|e| free(analysis, e));
-        let stiffness = analysis.stiffness();
+    pub(crate) fn new<const N: usize, const M: usize>(analysis: &Analysis<'a, N, M>) -> Self {
+        let grasp = analysis.grasp;
+        let verdict = Verdict::on(analysis);
+        let preload = |origin| grasp.preload_stiffness(origin);
+        let formed = |order| rows(&analysis.stiffness(|origin| grasp.stiffness(origin, order)));
         Self {
-            dimension: 2,
+            dimension: N,
             units: analysis.units,
-            frame: FrameReport { origin: analysis.frame.origin, angle: analysis.frame.angle },
+            frame: FrameReport::new(analysis),
             contacts: contacts(analysis),
+            loads: loads(analysis),
             order: analysis.order.into(),
-            stiffness: [0, 1, 2].map(|i| [0, 1, 2].map(|j| plain(stiffness.entry(i, j)))),
+            stiffness: formed(analysis.order),
+            stiffness_first_order: formed(Order::First),
+            stiffness_preload: rows(&analysis.stiffness(preload)),
             equilibrium: equilibrium(analysis),
             stability: analysis.stability.into(),
-            metrics: analysis.metrics.as_ref().ok().map(|m| metrics(analysis, m)),
+            metrics: analysis.metrics.as_ref().ok().map(|m| MetricsReport::new(m, &analysis.view)),
             force_closure: analysis.preloads.force_closure,
             preload_margin: analysis.preloads.best.as_ref().map(|best| plain(best.margin)),
-            reason: reason(analysis, free_motion.as_ref(), &pulling_contacts, size),
-            free_motion,
-            pulling_contacts,
-            warnings: warnings(analysis),
-            size,
+            reason: verdict.reason,
+            free_motion: verdict.free_motion,
+            pulling_contacts: verdict.pulling_contacts,
+            warnings: verdict.warnings,
+            size: analysis.size,
+        }
+    }
+}
+
+impl FrameReport {
+    fn new<const N: usize, const M: usize>(analysis: &Analysis<'_, N, M>) -> Self {
+        let (origin, rotation) = (analysis.view.origin().to_vec(), analysis.view.rotation());
+        match rotation {
+            [angle] => Self { origin, angle: Some(*angle), rotation_vector: None },
+            _ => Self { origin, angle: None, rotation_vector: Some(rotation.to_vec()) },
         }
     }
 }
@@ -167,76 +171,72 @@ pub(crate) fn plain(value: f64) -> f64 {
     value + 0.0
 }
 
-/// A point in the frame of the report.
-pub(super) fn point(analysis: &Analysis<'_>, point: Vector<2>) -> [f64; 2] {
-    analysis.frame.frame().point_in_frame(point).to_array().map(plain)
+fn rows<const N: usize, const M: usize>(stiffness: &Stiffness<N, M>) -> Rows {
+    let row = |i| (0..N + M).map(|j| plain(stiffness.entry(i, j))).collect();
+    (0..N + M).map(row).collect()
 }
 
-/// A direction in the frame of the report.
-pub(super) fn direction(analysis: &Analysis<'_>, direction: Vector<2>) -> [f64; 2] {
-    analysis.frame.frame().direction_in_frame(direction).to_array().map(plain)
-}
-
-fn contacts(analysis: &Analysis<'_>) -> Vec<AnalyzedContact> {
+fn contacts<const N: usize, const M: usize>(analysis: &Analysis<'_, N, M>) -> Vec<AnalyzedContact> {
     let shares = analysis.preloads.best.as_ref().map(|best| &best.shares);
-    let contacts = analysis.grasp.contacts().iter().zip(analysis.edges).enumerate();
+    let contacts = analysis.grasp.contacts().iter().zip(analysis.touches).enumerate();
     contacts
-        .map(|(i, (contact, &edge))| AnalyzedContact {
-            edge,
-            point: point(analysis, contact.overlap().point()),
-            inward_normal: direction(analysis, contact.overlap().inward_normal()),
-            stiffness: contact.slope(),
-            preload: contact.preload(),
-            balanced_share: shares.map(|shares| plain(shares[i])),
+        .map(|(i, (contact, touch))| {
+            let on = |wanted| touch.piece.filter(|(kind, _)| *kind == wanted).map(|(_, n)| n);
+            let overlap = contact.overlap();
+            let axis = touch.long_axis.map(|axis| analysis.view.direction(axis));
+            AnalyzedContact {
+                edge: on(PieceKind::Edge),
+                face: on(PieceKind::Face),
+                point: analysis.view.point(overlap.point()),
+                inward_normal: analysis.view.direction(overlap.inward_normal()),
+                overlap: overlap.depth(),
+                stiffness: contact.slope(),
+                preload: contact.preload(),
+                balanced_share: shares.map(|shares| plain(shares[i])),
+                contact_ellipse: contact_ellipse(contact.law(), overlap.depth(), axis),
+                half_width: match contact.law() {
+                    Law::Line(line) => Some(line.half_width(contact.preload())),
+                    _ => None,
+                },
+            }
         })
         .collect()
 }
 
-fn equilibrium(analysis: &Analysis<'_>) -> EquilibriumReport {
-    let about = analysis.grasp.net_wrench(analysis.frame.origin.into());
+fn contact_ellipse(law: &Law, overlap: f64, axis: Option<Vec<f64>>) -> Option<ContactEllipse> {
+    let Law::Hertz(law) = law else { return None };
+    Some(ContactEllipse {
+        semi_axes: law.semi_axes(overlap),
+        direction: axis,
+        peak_pressure: law.peak_pressure(overlap),
+    })
+}
+
+fn loads<const N: usize, const M: usize>(analysis: &Analysis<'_, N, M>) -> Vec<LoadReport> {
+    let view = &analysis.view;
+    let loads = analysis.grasp.loads().iter();
+    loads
+        .map(|load| LoadReport { point: view.point(load.point), force: view.direction(load.force) })
+        .collect()
+}
+
+fn equilibrium<const N: usize, const M: usize>(analysis: &Analysis<'_, N, M>) -> EquilibriumReport {
+    let view = &analysis.view;
+    let about = analysis.grasp.net_wrench(view.frame().origin());
     let Equilibrium { holds, relative_force, relative_torque, .. } = analysis.equilibrium;
     EquilibriumReport {
         holds,
-        residual_force: direction(analysis, about.force),
-        residual_torque: plain(about.torque[0]),
+        residual_force: view.direction(about.force),
+        residual_torque: view.turning(about.torque),
         relative_force,
         relative_torque,
     }
 }
 
-fn metrics(analysis: &Analysis<'_>, metrics: &Metrics) -> MetricsReport {
-    let Metrics { principal, quality, worst } = metrics;
-    let corner = |number: usize| point(analysis, analysis.part.outline().corners()[number]);
-    let translational = principal.translational();
-    let center = point(analysis, principal.center());
-    MetricsReport {
-        quality: quality.value,
-        limited_by: quality.limited_by.into(),
-        sigma_min: quality.translational,
-        mu_eq: quality.equivalent,
-        translational: [0, 1].map(|i| Translational {
-            value: translational.values[i],
-            direction: direction(analysis, translational.vectors[i]),
-        }),
-        rotational: [Rotational {
-            value: principal.rotational().values[0],
-            direction: [0.0, 0.0, 1.0],
-            axis_point: center,
-            pitch: 0.0,
-            reach: quality.reach.distance,
-            equivalent: quality.equivalent,
-        }],
-        center_of_compliance: center,
-        reach: ReachReport {
-            corner: quality.reach.corner,
-            point: corner(quality.reach.corner),
-            distance: quality.reach.distance,
-        },
-        degenerate: false,
-        quality_rotational: quality.equivalent,
-        worst_point_stiffness: worst.stiffness,
-        worst_point: corner(worst.corner),
-        worst_corner: worst.corner,
-        worst_direction: direction(analysis, worst.direction),
+/// A torque: one number in the plane, a list of three in space.
+fn number_in_the_plane<S: Serializer>(torque: &[f64], serializer: S) -> Result<S::Ok, S::Error> {
+    match torque {
+        [number] => number.serialize(serializer),
+        _ => torque.serialize(serializer),
     }
 }

@@ -2,7 +2,8 @@
 
 use std::fmt;
 
-use super::analysis::{AnalysisReport, MetricsReport, NO_SHARE};
+use super::analysis::{AnalysisReport, NO_SHARE};
+use super::measures::MetricsReport;
 use super::number::{UnitNames, spot};
 use super::page::Page;
 use super::words::{OrderWord, StabilityWord};
@@ -21,10 +22,10 @@ impl fmt::Display for AnalysisText<'_> {
         self.head(&mut page);
         page.line("");
         self.contacts(&mut page);
+        self.areas(&mut page);
+        self.loads(&mut page);
         page.line("");
-        if let Some(metrics) = &self.report.metrics {
-            self.metrics(&mut page, metrics);
-        }
+        self.metrics(&mut page);
         self.holding(&mut page);
         page.line("");
         self.stiffness(&mut page);
@@ -33,12 +34,16 @@ impl fmt::Display for AnalysisText<'_> {
 }
 
 impl AnalysisText<'_> {
-    fn units(&self) -> UnitNames<'_> {
+    pub(super) fn units(&self) -> UnitNames<'_> {
         UnitNames(self.report.units)
     }
 
-    fn spot(&self, point: [f64; 2]) -> String {
+    pub(super) fn spot(&self, point: &[f64]) -> String {
         format!("{} {}", spot(point, self.report.size), self.report.units.length)
+    }
+
+    pub(super) fn planar(&self) -> bool {
+        self.report.dimension == 2
     }
 
     fn head(&self, page: &mut Page) {
@@ -46,96 +51,123 @@ impl AnalysisText<'_> {
         let contacts = counted(report.contacts.len(), "contact");
         page.head("grasp", format_args!("{}, {contacts}", self.name));
         page.head("units", self.units());
-        let frame = report.frame;
-        let turned = frame.origin.iter().chain([&frame.angle]).any(|v| v.abs() > 0.0);
-        if turned {
-            let (origin, angle) = (spot(frame.origin, 0.0), digits(frame.angle));
-            let length = &report.units.length;
-            page.head(
-                "frame",
-                format_args!("origin at {origin} {length} of the file's, turned by {angle} rad"),
-            );
-        } else {
-            page.head("frame", "that of the file");
-        }
+        page.head("frame", self.frame());
         page.head(
             "order",
             match report.order {
-                OrderWord::Second => "second: with what preload and finger radius add",
-                OrderWord::First => "first: without what preload and finger radius add",
+                OrderWord::Second => "second: with what preloads, curvatures and loads add",
+                OrderWord::First => "first: without what preloads, curvatures and loads add",
             },
         );
         match (&report.metrics, &report.reason) {
-            (Some(metrics), None) => {
-                let q = self.units().stiffness(metrics.quality);
-                page.head("quality", format_args!("Q = {q}, limited by {}", metrics.limited_by));
+            (Some(MetricsReport { quality: Some(quality), .. }), None) => {
+                let q = self.units().stiffness(quality.quality);
+                page.head("quality", format_args!("Q = {q}, limited by {}", quality.limited_by));
             }
             (_, Some(reason)) => page.head("no answer", reason),
-            (None, None) => {}
+            _ => {}
         }
         for warning in &report.warnings {
             page.head("warning", warning);
         }
     }
 
+    fn frame(&self) -> String {
+        let frame = &self.report.frame;
+        let turned = |numbers: &[f64]| numbers.iter().any(|v| v.abs() > 0.0);
+        let rotation = frame.rotation_vector.as_deref().unwrap_or_default();
+        let angle = frame.angle.unwrap_or(0.0);
+        if !turned(&frame.origin) && !turned(&[angle]) && !turned(rotation) {
+            return "that of the file".to_owned();
+        }
+        let (origin, length) = (spot(&frame.origin, 0.0), &self.report.units.length);
+        let turn = match &frame.rotation_vector {
+            Some(rotation) => format!("turned by the rotation vector {}", spot(rotation, 0.0)),
+            None => format!("turned by {}", digits(angle)),
+        };
+        format!("origin at {origin} {length} of the file's, {turn} rad")
+    }
+
     fn contacts(&self, page: &mut Page) {
         let units = self.report.units;
-        let mut rows = vec![vec![
-            "contact".to_owned(),
-            "edge".to_owned(),
+        let edges = self.report.contacts.iter().any(|contact| contact.edge.is_some());
+        let faces = self.report.contacts.iter().any(|contact| contact.face.is_some());
+        let mut head = vec!["contact".to_owned()];
+        if edges || faces {
+            head.push(if edges { "edge" } else { "face" }.to_owned());
+        }
+        head.extend([
             format!("point [{}]", units.length),
             "inward normal".to_owned(),
+            format!("overlap [{}]", units.length),
             format!("stiffness [{}]", self.units().per_length()),
             format!("preload [{}]", units.force),
             "balanced share".to_owned(),
-        ]];
+        ]);
+        let mut rows = vec![head];
         for (i, contact) in self.report.contacts.iter().enumerate() {
-            rows.push(vec![
-                i.to_string(),
-                contact.edge.to_string(),
-                spot(contact.point, self.report.size),
-                spot(contact.inward_normal, 1.0),
+            let mut row = vec![i.to_string()];
+            row.extend(contact.edge.or(contact.face).map(|piece| piece.to_string()));
+            row.extend([
+                spot(&contact.point, self.report.size),
+                spot(&contact.inward_normal, 1.0),
+                digits(contact.overlap),
                 digits(contact.stiffness),
                 precise_digits(contact.preload),
                 contact.balanced_share.map_or_else(|| "none".to_owned(), share),
             ]);
+            rows.push(row);
         }
         page.table(&rows);
     }
 
-    fn metrics(&self, page: &mut Page, metrics: &MetricsReport) {
-        let units = self.units();
-        let [least, largest] = metrics.translational;
-        let along = |direction| format!("along {}", spot(direction, 1.0));
-        page.row(
-            "sigma_min",
-            units.stiffness(least.value),
-            format_args!("least translational stiffness, {}", along(least.direction)),
-        );
-        page.row("sigma_max", units.stiffness(largest.value), along(largest.direction));
-        let [turn] = metrics.rotational;
-        page.row("mu", units.torque(turn.value), "rotational stiffness");
-        page.row(
-            "mu_eq",
-            units.stiffness(turn.equivalent),
-            "mu / reach^2: comparable to sigma_min",
-        );
-        page.row("center of compliance", self.spot(metrics.center_of_compliance), "");
-        let reach = metrics.reach;
-        page.row(
-            "reach",
-            units.length(reach.distance),
-            format_args!("to corner {} at {}, the farthest", reach.corner, self.spot(reach.point)),
-        );
-        page.row(
-            "worst point",
-            units.stiffness(metrics.worst_point_stiffness),
-            format_args!(
-                "least force per deflection: at corner {}, {}",
-                metrics.worst_corner,
-                along(metrics.worst_direction)
-            ),
-        );
+    /// The areas of contact, where the laws say how large they are.
+    fn areas(&self, page: &mut Page) {
+        let units = self.report.units;
+        let mut rows = Vec::new();
+        for (i, contact) in self.report.contacts.iter().enumerate() {
+            if let Some(area) = &contact.contact_ellipse {
+                let [a, b] = area.semi_axes.map(digits);
+                // A circle is longest nowhere.
+                let direction = area.direction.as_ref().filter(|_| a != b);
+                let mut row = vec![i.to_string(), format!("{a} x {b}"), digits(area.peak_pressure)];
+                row.extend(direction.map(|direction| spot(direction, 1.0)));
+                rows.push(row);
+            }
+            if let Some(half_width) = contact.half_width {
+                rows.push(vec![i.to_string(), digits(half_width)]);
+            }
+        }
+        let Some(columns) = rows.iter().map(Vec::len).max() else { return };
+        let mut head = vec![
+            "contact".to_owned(),
+            format!("half the area's size [{}]", units.length),
+            format!("peak pressure [{}]", self.units().pressure()),
+            "longest along".to_owned(),
+        ];
+        head.truncate(columns);
+        rows.insert(0, head);
+        page.line("");
+        page.table(&rows);
+    }
+
+    fn loads(&self, page: &mut Page) {
+        let units = self.report.units;
+        if self.report.loads.is_empty() {
+            return;
+        }
+        let head = [
+            "load".to_owned(),
+            format!("point [{}]", units.length),
+            format!("force [{}]", units.force),
+        ];
+        let mut rows = vec![head.to_vec()];
+        for (i, load) in self.report.loads.iter().enumerate() {
+            let point = spot(&load.point, self.report.size);
+            rows.push(vec![i.to_string(), point, spot(&load.force, 0.0)]);
+        }
+        page.line("");
+        page.table(&rows);
     }
 
     fn holding(&self, page: &mut Page) {
@@ -147,22 +179,7 @@ impl AnalysisText<'_> {
             StabilityWord::Unstable => "unstable: some motion releases energy",
         };
         page.row("stability", report.stability, stability);
-        let preloaded = report.contacts.iter().any(|contact| contact.preload > 0.0);
-        let (holds, residual) = (report.equilibrium.holds, &report.equilibrium);
-        let left = format!(
-            "force {} {} and torque {} are left: {:.1e} of the total preload, {:.1e} of that times \
-             the contacts' size",
-            spot(residual.residual_force, 0.0),
-            report.units.force,
-            self.units().torque(residual.residual_torque),
-            residual.relative_force,
-            residual.relative_torque
-        );
-        match (holds, preloaded) {
-            (true, false) => page.row("equilibrium", "holds", "there is no preload"),
-            (true, true) => page.row("equilibrium", "holds", "the preloads balance"),
-            (false, _) => page.row("equilibrium", "fails", left),
-        }
+        self.equilibrium(page);
         let closure = if report.force_closure { "yes" } else { "no" };
         let margin = match report.preload_margin {
             Some(margin) if margin > NO_SHARE && !report.force_closure => format!(
@@ -178,17 +195,35 @@ impl AnalysisText<'_> {
         page.row("force closure", closure, margin);
     }
 
-    fn stiffness(&self, page: &mut Page) {
-        let units = self.report.units;
-        page.line(format_args!(
-            "stiffness matrix about the frame's origin, of (x, y, rotation) [{}, {}, {} {}]",
-            self.units().per_length(),
-            units.force,
-            units.force,
-            units.length
-        ));
-        let row = |row: &[f64; 3]| row.iter().map(|&value| digits(value)).collect();
-        page.table(&self.report.stiffness.iter().map(row).collect::<Vec<_>>());
+    fn equilibrium(&self, page: &mut Page) {
+        let (report, units) = (self.report, self.units());
+        let residual = &report.equilibrium;
+        if residual.holds {
+            let preloaded = report.contacts.iter().any(|contact| contact.preload > 0.0);
+            let meaning = match (preloaded, report.loads.is_empty()) {
+                (false, true) => "there is no preload",
+                (true, true) => "the preloads balance",
+                (_, false) => "preloads and loads balance",
+            };
+            return page.row("equilibrium", "holds", meaning);
+        }
+        let torque = match &residual.residual_torque[..] {
+            [torque] => units.torque(*torque),
+            torque => format!("{} {} {}", spot(torque, 0.0), units.0.force, units.0.length),
+        };
+        let total = if report.loads.is_empty() { "total preload" } else { "total of all forces" };
+        page.row(
+            "equilibrium",
+            "fails",
+            format_args!(
+                "force {} {} and torque {torque} are left: {:.1e} of the {total}, {:.1e} of that \
+                 times the contacts' size",
+                spot(&residual.residual_force, 0.0),
+                units.0.force,
+                residual.relative_force,
+                residual.relative_torque
+            ),
+        );
     }
 }
 

@@ -2,6 +2,8 @@
 
 mod analysis;
 mod analysis_text;
+mod measures;
+mod measures_text;
 mod verdict;
 
 mod optimum;

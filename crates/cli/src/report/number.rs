@@ -7,12 +7,12 @@ use crate::wording::digits;
 
 /// A coordinate this small beside the part is zero in text: it is rounding, and many times
 /// smaller than any part can be placed.
-const INVISIBLE: f64 = 1e-12;
+pub(super) const INVISIBLE: f64 = 1e-12;
 
 /// A point or a direction, beside something of the given `size`.
-pub(crate) fn spot(point: [f64; 2], size: f64) -> String {
-    let [x, y] = point.map(|v| if v.abs() <= INVISIBLE * size { 0.0 } else { v });
-    format!("({}, {})", digits(x), digits(y))
+pub(crate) fn spot(point: &[f64], size: f64) -> String {
+    let shown = |&v: &f64| digits(if v.abs() <= INVISIBLE * size { 0.0 } else { v });
+    format!("({})", point.iter().map(shown).collect::<Vec<_>>().join(", "))
 }
 
 /// The names of the units of a report.
@@ -38,6 +38,11 @@ impl UnitNames<'_> {
     /// A torque with its unit.
     pub(crate) fn torque(self, value: f64) -> String {
         format!("{} {} {}", digits(value), self.0.force, self.0.length)
+    }
+
+    /// A force per area with its unit.
+    pub(crate) fn pressure(self) -> String {
+        format!("{}/{}^2", self.0.force, self.0.length)
     }
 
     /// The unit of force per deflection.

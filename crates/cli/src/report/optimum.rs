@@ -4,7 +4,8 @@ use clench::optimize::polygon::Part;
 use clench::optimize::{Outcome, Placement};
 use serde::Serialize;
 
-use super::analysis::{ReachReport, plain};
+use super::analysis::plain;
+use super::measures::ReachReport;
 use super::words::LimitWord;
 use crate::input::{Finite, schema};
 use crate::optimize::Found;
@@ -142,7 +143,7 @@ impl PlacementReport {
             center_of_compliance: solution.center().to_array().map(plain),
             reach: ReachReport {
                 corner: quality.reach.corner,
-                point: corner(quality.reach.corner),
+                point: corner(quality.reach.corner).to_vec(),
                 distance: quality.reach.distance,
             },
             worst_point_stiffness: found.worst.stiffness,
@@ -174,7 +175,10 @@ impl PlacedFinger {
             law: schema::Law::Linear { stiffness },
             preload: question.total_preload.unwrap_or(0.0) * share,
             share,
-            finger: schema::Finger { radius: Finite(question.finger_radius) },
+            finger: schema::Finger {
+                radius: Some(Finite(question.finger_radius)),
+                ..schema::Finger::default()
+            },
         }
     }
 }

@@ -45,7 +45,7 @@ impl OptimumText<'_> {
         self.part.outline().enclosing_circle().radius
     }
 
-    fn spot(&self, point: [f64; 2]) -> String {
+    fn spot(&self, point: &[f64]) -> String {
         format!("{} {}", spot(point, self.size()), self.report.question.units.length)
     }
 
@@ -137,8 +137,8 @@ impl OptimumText<'_> {
             let mut row = vec![
                 i.to_string(),
                 contact.edge.to_string(),
-                spot(contact.point, self.size()),
-                spot(contact.inward_normal, 1.0),
+                spot(&contact.point, self.size()),
+                spot(&contact.inward_normal, 1.0),
                 digits(part.edge_stiffness()[contact.edge]),
                 share(contact.share),
             ];
@@ -158,14 +158,14 @@ impl OptimumText<'_> {
             units.stiffness(best.mu_eq),
             "rotational stiffness / reach^2: comparable to sigma_min",
         );
-        page.row("center of compliance", self.spot(best.center_of_compliance), "");
+        page.row("center of compliance", self.spot(&best.center_of_compliance), "");
         page.row(
             "reach",
             units.length(best.reach.distance),
             format_args!(
                 "to corner {} at {}, the farthest",
                 best.reach.corner,
-                self.spot(best.reach.point)
+                self.spot(&best.reach.point)
             ),
         );
         page.row(
@@ -204,7 +204,7 @@ impl OptimumText<'_> {
     }
 
     fn points(&self, placement: &PlacementReport) -> String {
-        let points = placement.contacts.iter().map(|c| spot(c.point, self.size()));
+        let points = placement.contacts.iter().map(|c| spot(&c.point, self.size()));
         points.collect::<Vec<_>>().join(" ")
     }
 }

@@ -29,7 +29,10 @@ impl Page {
 
     /// A number with its name, and what it means.
     pub(crate) fn row(&mut self, label: &str, value: impl Display, meaning: impl Display) {
-        let value = value.to_string();
+        let mut value = value.to_string();
+        if value.chars().count() >= VALUE {
+            value.push_str(GAP);
+        }
         self.line(format_args!("{label:<LABEL$}{value:<VALUE$}{meaning}"));
     }
 

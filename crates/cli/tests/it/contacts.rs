@@ -43,7 +43,7 @@ fn contacts_off_their_edge_are_refused_with_their_place() {
         (
             "other-edge",
             "point = [6.5, 0]\nedge = 1",
-            ["contacts[1].point", "not on edge 1", "away", "nearest edge is 0"],
+            ["contacts[1].point", "contact 1", "not on edge 1", "found it on edge 0"],
         ),
         (
             "no-edge",
@@ -106,7 +106,7 @@ fn bad_laws_and_fields_are_refused_with_their_place() {
         (
             "radius",
             "point = [6.5, 0]\nfinger = { radius = -1 }",
-            ["grasp.toml:8:21: contacts[1].finger.radius", "radius is -1", "zero or positive", ""],
+            ["grasp.toml:8:10: contacts[1].finger", "sum to -1", "a hollow as narrow", ""],
         ),
         (
             "field",
@@ -116,7 +116,12 @@ fn bad_laws_and_fields_are_refused_with_their_place() {
         (
             "nowhere",
             "preload = 1",
-            ["grasp.toml:6:", "contacts[1]", "missing field `point`", "two numbers [x, y]"],
+            [
+                "grasp.toml:6:",
+                "contacts[1]",
+                "found no place",
+                "exactly one of `point` and `center`",
+            ],
         ),
     ] {
         assert_refused(name, contact, &pieces);
@@ -164,7 +169,7 @@ fn a_corner_within_a_straight_side_is_no_ambiguity() {
     folder.write("grasp.toml", part(outline, "[1, 2, 1, 1, 1]") + contacts);
     let ran = folder.run("analyze grasp.toml");
     assert_eq!(ran.code, Some(1));
-    assert!(ran.err.contains("corner of edges 0 and 1"), "{}", ran.err);
+    assert!(ran.err.contains("where edges 0 and 1 meet"), "{}", ran.err);
 }
 
 #[test]

@@ -43,7 +43,7 @@ fn the_commands_of_the_readme_find_an_answer() {
             ran += 1;
         }
     }
-    assert_eq!(ran, 5);
+    assert_eq!(ran, 6);
     let drawn = fs::read_to_string(folder.path("bracket.svg")).unwrap();
     assert!(
         drawn == document("docs/bracket.svg"),
@@ -56,13 +56,31 @@ fn the_commands_of_the_readme_find_an_answer() {
 fn the_files_of_the_page_on_files_are_read() {
     let page = document("docs/files.md");
     let files = blocks(&page, "toml");
-    assert_eq!(files.len(), 2);
+    assert_eq!(files.len(), 3);
     let folder = Folder::new("files-page");
-    folder.write("part.toml", files[0]).write("grasp.toml", files[1]);
+    folder.write("part.toml", files[0]);
     assert_eq!(folder.run("optimize part.toml --fingers 4").code, Some(0));
+    for (file, stable) in [(files[1], "stable to first order"), (files[2], "by its preload")] {
+        folder.write("grasp.toml", file);
+        let grasp = folder.run("analyze grasp.toml");
+        assert_eq!((grasp.code, grasp.err.as_str()), (Some(0), ""));
+        assert!(grasp.out.contains(stable), "{}", grasp.out);
+    }
+}
+
+/// The pinched bar of the guide has the numbers of the text.
+#[test]
+fn the_file_of_the_guide_is_read_and_is_not_stable() {
+    let page = document("docs/guide/stiffness.md");
+    let files = blocks(&page, "toml");
+    assert_eq!(files.len(), 1);
+    let folder = Folder::new("guide");
+    folder.write("grasp.toml", files[0]);
     let grasp = folder.run("analyze grasp.toml");
-    assert_eq!((grasp.code, grasp.err.as_str()), (Some(0), ""));
-    assert!(grasp.out.contains("stable to first order"), "{}", grasp.out);
+    assert_eq!(grasp.code, Some(3));
+    for number in ["0.00277514", "27025.7", "-5.88331", "176.467", "slide along (0, 1, 0)"] {
+        assert!(grasp.out.contains(number), "{number} in {}", grasp.out);
+    }
 }
 
 /// Each key that the page lists is in the report, and the other way round.

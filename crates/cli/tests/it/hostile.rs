@@ -1,6 +1,6 @@
 //! Bad input: exit code 1, the place and what is wrong in the message, nothing written.
 
-use crate::run::{Folder, QUADRILATERAL, Ran, part};
+use crate::run::{Folder, QUADRILATERAL, Ran, assert_says, part};
 
 /// Runs `optimize` on a bad file; returns the message.
 fn refused(name: &str, file: &str, content: impl AsRef<[u8]>) -> String {
@@ -14,12 +14,6 @@ fn refused(name: &str, file: &str, content: impl AsRef<[u8]>) -> String {
 fn message(ran: &Ran, name: &str) -> String {
     assert_eq!((ran.code, ran.out.as_str()), (Some(1), ""), "{name}: {}", ran.err);
     ran.err.clone()
-}
-
-fn assert_says(message: &str, pieces: &[&str]) {
-    for piece in pieces {
-        assert!(message.contains(piece), "`{piece}` is missing in: {message}");
-    }
 }
 
 #[test]
@@ -124,7 +118,21 @@ fn fields_that_are_wrong() {
         ("list", "[[part]]\n", ["part: found a list,", "expected a table with `planar`", ""]),
         ("no-list", "contacts = 1\n[part]\n", ["contacts: found a number", "expected a list", ""]),
         ("flag", "[part]\nplanar = true\n", ["part.planar: found true,", "`outline`", "table"]),
-        ("spatial", "[part.spatial]\nmesh = 1\n", ["part.spatial: ", "spatial part", "planar one"]),
+        (
+            "spatial",
+            "[part.spatial]\nmesh = \"a\"\n",
+            ["part.spatial: ", "spatial part", "planar one"],
+        ),
+        (
+            "mesh",
+            "[part.spatial]\nmesh = 1\n",
+            ["part.toml:2:8: part.spatial.mesh: ", "found a number", "name of a file"],
+        ),
+        (
+            "ellipse",
+            "[part.planar]\nellipse = [2, 1]\n",
+            ["part.planar: ", "found no `outline`", "places fingers on outlines only"],
+        ),
         ("syntax", "[part.planar\n", ["part.toml:1:", "not valid TOML", ""]),
         ("empty", " \n", ["part.toml:1:1", "is empty", "expected a part"]),
     ] {

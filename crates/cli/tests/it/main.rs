@@ -3,8 +3,13 @@
 mod answers;
 mod contacts;
 mod documents;
+mod fingers;
 mod hostile;
+mod meshes;
 mod outputs;
 mod parts;
+mod references;
+mod refusals;
 mod run;
+mod solids;
 mod unanswered;

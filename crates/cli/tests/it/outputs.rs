@@ -109,3 +109,28 @@ fn help_shows_files_and_examples() {
         assert!(ran.out.contains("clench optimize bracket.toml --fingers 4"), "{arguments}");
     }
 }
+
+#[test]
+fn an_ellipse_is_drawn_with_fingers_of_every_curvature() {
+    let folder = Folder::new("ellipse-picture");
+    let contacts = [
+        ("[4, 0]", "radius = 1", 0.01),
+        ("[-4, 0]", "radius = 0", 0.01),
+        ("[0, 2]", "curvature = 0", 0.1),
+        ("[0, -2]", "curvature = -0.1", 0.1),
+    ]
+    .map(|(point, finger, preload)| {
+        let finger = format!("finger = {{ {finger} }}\npreload = {preload}");
+        format!("[[contacts]]\npoint = {point}\n{finger}\n")
+    });
+    let part = "[part.planar]\nellipse = [4, 2]\nstiffness = 3\n";
+    folder.write("grasp.toml", part.to_owned() + &contacts.concat());
+    let ran = folder.run("analyze grasp.toml --svg picture.svg");
+    assert_eq!((ran.code, ran.err.as_str()), (Some(0), ""));
+    let svg = fs::read_to_string(folder.path("picture.svg")).unwrap();
+    // There are no corners to number, and no quality.
+    for piece in ["F0 at (4, 0) L", "F3: 0.1 F", "σ"] {
+        assert!(svg.contains(piece), "{piece} is missing");
+    }
+    assert!(!svg.contains("Q =") && !svg.contains("edge"), "{svg}");
+}

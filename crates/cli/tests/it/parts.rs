@@ -82,6 +82,9 @@ fn the_example_files_have_answers() {
         ("optimize bracket.toml --fingers 3 --preload 400", "Q = 3.53882 N/mm"),
         ("optimize quadrilateral.toml --fingers 4", "Q = 1.68377 F/L"),
         ("analyze quadrilateral-grasp.toml", "Q = 1.1138 F/L"),
+        // Six flat jaws, by hand: 2 f (b^2 - c^2) (1 / c - 1 / b) about the longest axis.
+        ("analyze ellipsoid-grasp.toml", "mu                    233.333 N mm"),
+        ("analyze cube-grasp.toml", "force closure         yes"),
     ] {
         let ran = command(arguments.split(' ')).current_dir(&parts).output().unwrap();
         let ran = Ran::new(&ran);

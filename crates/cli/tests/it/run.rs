@@ -105,3 +105,10 @@ pub(crate) fn figure_1() -> String {
     ];
     grasp(&contacts)
 }
+
+/// Asserts that a message has all these pieces.
+pub(crate) fn assert_says(message: &str, pieces: &[&str]) {
+    for piece in pieces {
+        assert!(message.contains(piece), "`{piece}` is missing in: {message}");
+    }
+}

@@ -29,6 +29,7 @@ fn a_load_that_is_not_finite_is_refused_with_its_number() {
         DeadLoad { point: Vector::new([f64::NAN, 0.0]), ..good },
         DeadLoad { force: Vector::new([0.0, f64::INFINITY]), ..good },
         DeadLoad { point: Vector::new([1e200, 0.0]), force: Vector::new([1e200, 0.0]) },
+        DeadLoad { point: Vector::new([1e200, 0.0]), force: Vector::new([0.0, 1e200]) },
     ] {
         let found = grasp().with_loads(vec![good, bad]);
         assert_eq!(found, Err(GraspError::Load { load: 1 }));

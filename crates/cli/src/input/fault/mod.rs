@@ -1,17 +1,22 @@
 //! What can be wrong with a file's text and numbers.
 
+mod contact;
+mod mesh;
+mod part;
+
 use std::ops::Range;
 
-use clench::contact::ContactError;
-use clench::optimize::OptimizeError;
-use clench::shape::PolygonError;
 use clench::stiffness::GraspError;
 use miette::Diagnostic;
 
 use super::excerpt::Excerpt;
+use super::number::in_words;
 use super::place::Place;
 use super::schema::VERSION;
-use crate::wording::{counted, digits};
+
+pub(crate) use contact::{ContactFault, Coordinates, Nearest};
+pub(crate) use mesh::MeshFault;
+pub(crate) use part::PartFault;
 
 /// A fault of the text, before there are any fields to name.
 #[derive(Debug)]
@@ -94,85 +99,38 @@ pub(crate) enum Fault {
     /// The schema of another version.
     #[error("found schema version {found}, expected {VERSION}")]
     Version { found: u64 },
-    /// A part in space.
-    #[error("found a spatial part, expected a planar one: this version knows the plane only")]
-    SpatialPart,
-    /// Neither a planar nor a spatial part.
-    #[error("found no `planar` in the part, expected it, with an `outline` and a `stiffness`")]
-    NoPart,
+    /// A point or a direction of space in a planar part, or the other way round.
+    #[error("found {found} numbers, expected {}, as the part has", in_words(&[*.expected]))]
+    Dimension { found: usize, expected: usize },
+    /// What is held.
+    #[error(transparent)]
+    Part(#[from] PartFault),
     /// A grasp without contacts.
     #[error("found no contacts, expected at least one [[contacts]]")]
     NoContacts,
-    /// Too few points for an outline.
-    #[error("found {}, expected at least 3", counted(*.count, "corner"))]
-    TooFewCorners { count: usize },
-    /// The outline is not valid.
+    /// What holds it.
     #[error(transparent)]
-    Outline(PolygonError),
-    /// The edge stiffnesses are not valid.
-    #[error(transparent)]
-    Stiffness(OptimizeError),
-    /// A law or a contact is not valid.
-    #[error(transparent)]
-    Contact(ContactError),
+    Contact(#[from] ContactFault),
     /// The grasp cannot be formed.
     #[error(transparent)]
     Grasp(GraspError),
-    /// An edge number is too large.
-    #[error("found edge {found}, expected one from 0 to {last}")]
-    NoSuchEdge { found: u64, last: usize },
-    /// A contact floats beside the part, or lies within it.
-    #[error(
-        "contact {contact} is off the boundary: found it {} {unit} away from edge {edge}, \
-         the nearest, expected at most {allowed:.1e} {unit}",
-        digits(*.distance)
-    )]
-    OffBoundary { contact: usize, distance: f64, edge: usize, allowed: f64, unit: String },
-    /// A contact is on another edge than it says.
-    #[error(
-        "contact {contact} is not on edge {edge}: found it {} {unit} away, \
-         expected at most {allowed:.1e} {unit}; the nearest edge is {nearest}",
-        digits(*.distance)
-    )]
-    OffEdge {
-        contact: usize,
-        edge: usize,
-        distance: f64,
-        allowed: f64,
-        unit: String,
-        nearest: usize,
-    },
-    /// A contact at a corner, which has no normal.
-    #[error(
-        "contact {contact} is at the corner of edges {first} and {second}: \
-         expected an `edge` or an `inward_normal` that says which of them it presses on"
-    )]
-    AmbiguousEdge { contact: usize, first: usize, second: usize },
-    /// A normal that is not that of the edge.
-    #[error(
-        "found the inward normal {} of contact {contact}, \
-         expected {}, that of edge {edge}",
-        direction(.found), direction(.expected)
-    )]
-    OtherNormal { contact: usize, edge: usize, found: [f64; 2], expected: [f64; 2] },
 }
 
 impl Fault {
     fn help(&self) -> Option<&'static str> {
         match self {
             Self::Schema { help, .. } => *help,
-            Self::SpatialPart => Some("give an `outline` under [part.planar]"),
             Self::NoContacts => Some("`clench optimize` finds where to put the fingers"),
-            Self::OtherNormal { .. } => {
-                Some("leave `inward_normal` out: it follows from the outline")
-            }
-            Self::Empty | Self::NoPart => Some("`clench --help` shows a file"),
+            Self::Part(fault) => fault.help(),
+            Self::Contact(fault) => fault.help(),
+            Self::Empty => Some("`clench --help` shows a file"),
             _ => None,
         }
     }
 }
 
-fn direction(components: &[f64; 2]) -> String {
-    let [x, y] = components.map(digits);
-    format!("[{x}, {y}]")
+/// The names of those that are given, if any is.
+pub(in crate::input) fn listed(fields: &[(&str, bool)]) -> Option<String> {
+    let names: Vec<&str> = fields.iter().filter(|(_, given)| *given).map(|(n, _)| *n).collect();
+    (!names.is_empty()).then(|| names.join(" and "))
 }

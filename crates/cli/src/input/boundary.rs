@@ -1,0 +1,196 @@
+//! Boundaries of parts, as contacts need them: where a finger may sit, and what is nearest.
+
+use std::fmt;
+
+use clench::contact::Curvature;
+use clench::screw::Vector;
+use clench::shape::{Edge, Ellipsoid, FaceFeature, Polygon, Polyhedron};
+
+/// What the boundary of a part consists of.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum PieceKind {
+    Edge,
+    Face,
+}
+
+/// A place of the boundary where a finger may press.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Seat<const N: usize> {
+    /// The edge or face; none of a smooth part.
+    pub(super) piece: Option<usize>,
+    pub(super) point: Vector<N>,
+    pub(super) inward_normal: Vector<N>,
+    pub(super) curvature: Curvature<N>,
+}
+
+/// The place of the boundary nearest to some point.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Foot<const N: usize> {
+    pub(super) point: Vector<N>,
+    /// Negative inside the part.
+    pub(super) signed_distance: f64,
+    pub(super) piece: Option<usize>,
+}
+
+/// The boundary of a part.
+pub(super) trait Boundary<const N: usize> {
+    /// The radius of the part, which says how exact a drawing is.
+    fn radius(&self) -> f64;
+
+    /// What it consists of, and of how many; none if it is smooth.
+    fn pieces(&self) -> Option<(PieceKind, usize)>;
+
+    /// The place nearest to `point`.
+    fn foot(&self, point: Vector<N>) -> Foot<N>;
+
+    /// All places that `point` may stand for, to the distance `within`: several at a corner.
+    fn seats(&self, point: Vector<N>, within: f64) -> Vec<Seat<N>>;
+}
+
+impl Boundary<2> for Polygon {
+    fn radius(&self) -> f64 {
+        self.enclosing_circle().radius
+    }
+
+    fn pieces(&self) -> Option<(PieceKind, usize)> {
+        Some((PieceKind::Edge, self.edges().len()))
+    }
+
+    fn foot(&self, point: Vector<2>) -> Foot<2> {
+        let place = self.place(point);
+        let edges = self.edges();
+        let edge = &edges[place.edge];
+        let foot = edge.point_at(place.along);
+        // At a corner both edges see the point on the same side, unless it is straight ahead of
+        // one of them.
+        let before = &edges[(place.edge + edges.len() - 1) % edges.len()];
+        let inward = match place.corner {
+            Some(_) => edge.inward_normal() + before.inward_normal(),
+            None => edge.inward_normal(),
+        };
+        let inside = inward.dot(point - foot) > 0.0;
+        let signed_distance = if inside { -place.distance } else { place.distance };
+        Foot { point: foot, signed_distance, piece: Some(place.edge) }
+    }
+
+    fn seats(&self, point: Vector<2>, within: f64) -> Vec<Seat<2>> {
+        let near = |edge: &Edge| {
+            (nearest_between([edge.start(), edge.end()], point) - point).norm() <= within
+        };
+        let edges = self.edges().iter().enumerate().filter(|(_, edge)| near(edge));
+        edges.map(|(piece, edge)| flat_seat(piece, point, edge.inward_normal())).collect()
+    }
+}
+
+impl Boundary<3> for Polyhedron {
+    fn radius(&self) -> f64 {
+        self.enclosing_radius()
+    }
+
+    fn pieces(&self) -> Option<(PieceKind, usize)> {
+        Some((PieceKind::Face, self.faces().len()))
+    }
+
+    fn foot(&self, point: Vector<3>) -> Foot<3> {
+        let (place, signed_distance) = (self.place(point), self.signed_distance(point));
+        Foot { point: place.foot, signed_distance, piece: Some(place.face) }
+    }
+
+    fn seats(&self, point: Vector<3>, within: f64) -> Vec<Seat<3>> {
+        let place = self.place(point);
+        if place.distance > within {
+            return Vec::new();
+        }
+        let faces = match vertex_or_edge_near(self, place.face, point, within) {
+            Some(near) => faces_at(&self.place(near).on, place.face),
+            None => vec![place.face],
+        };
+        let normal = |face: usize| self.faces()[face].inward_normal();
+        faces.into_iter().map(|face| flat_seat(face, point, normal(face))).collect()
+    }
+}
+
+impl<const N: usize> Boundary<N> for Ellipsoid<N> {
+    fn radius(&self) -> f64 {
+        self.radius()
+    }
+
+    fn pieces(&self) -> Option<(PieceKind, usize)> {
+        None
+    }
+
+    fn foot(&self, point: Vector<N>) -> Foot<N> {
+        let nearest = self.nearest(point);
+        let signed_distance = nearest.signed_distance;
+        Foot { point: nearest.boundary.point, signed_distance, piece: None }
+    }
+
+    fn seats(&self, point: Vector<N>, within: f64) -> Vec<Seat<N>> {
+        let nearest = self.nearest(point);
+        if nearest.signed_distance.abs() > within {
+            return Vec::new();
+        }
+        let boundary = nearest.boundary;
+        vec![Seat {
+            piece: None,
+            point: boundary.point,
+            inward_normal: boundary.inward_normal,
+            curvature: Curvature::of_shape_operator(boundary.shape_operator),
+        }]
+    }
+}
+
+fn flat_seat<const N: usize>(piece: usize, point: Vector<N>, normal: Vector<N>) -> Seat<N> {
+    Seat { piece: Some(piece), point, inward_normal: normal, curvature: Curvature::FLAT }
+}
+
+/// The vertex of a face, or else the point of one of its edges, that is this near to `point`.
+fn vertex_or_edge_near(
+    solid: &Polyhedron,
+    face: usize,
+    point: Vector<3>,
+    within: f64,
+) -> Option<Vector<3>> {
+    let corners = solid.faces()[face].corners();
+    let near = |place: &Vector<3>| (*place - point).norm() <= within;
+    let mut vertices = corners.iter().map(|&corner| solid.vertices()[corner]);
+    let edge = |i: usize| {
+        let ends = [corners[i], corners[(i + 1) % corners.len()]];
+        nearest_between(ends.map(|corner| solid.vertices()[corner]), point)
+    };
+    vertices.find(near).or_else(|| (0..corners.len()).map(edge).find(near))
+}
+
+/// The faces that meet at a place of `face`.
+fn faces_at(on: &FaceFeature, face: usize) -> Vec<usize> {
+    match on {
+        FaceFeature::Interior => vec![face],
+        FaceFeature::Edge { faces, .. } => faces.to_vec(),
+        FaceFeature::Vertex { faces, .. } => faces.clone(),
+    }
+}
+
+/// The point between two ends that is nearest to `point`.
+fn nearest_between<const N: usize>(ends: [Vector<N>; 2], point: Vector<N>) -> Vector<N> {
+    let [start, end] = ends;
+    let side = end - start;
+    let length = side.norm();
+    let direction = side * length.recip();
+    start + direction * (point - start).dot(direction).clamp(0.0, length)
+}
+
+impl PieceKind {
+    /// The field of a contact that says which it is on.
+    pub(crate) const fn field(self) -> &'static str {
+        match self {
+            Self::Edge => "edge",
+            Self::Face => "face",
+        }
+    }
+}
+
+impl fmt::Display for PieceKind {
+    fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
+        out.write_str(self.field())
+    }
+}

@@ -1,0 +1,84 @@
+//! What can be wrong with a part.
+
+use clench::optimize::OptimizeError;
+use clench::shape::{EllipsoidError, PolygonError, PolyhedronError};
+
+use super::MeshFault;
+use crate::wording::counted;
+
+/// Why a part was refused.
+#[derive(Debug, thiserror::Error)]
+pub(crate) enum PartFault {
+    /// Neither a planar nor a spatial part.
+    #[error(
+        "found neither `planar` nor `spatial` in the part, expected one of them: `planar` with an \
+         `outline` and a `stiffness`, for one"
+    )]
+    None,
+    /// A planar and a spatial part.
+    #[error("found both `planar` and `spatial` in the part, expected one of them")]
+    Two,
+    /// A planar part without a shape, or with two.
+    #[error("found {found}, expected exactly one of `outline` and `ellipse`")]
+    PlanarShape { found: &'static str },
+    /// A spatial part without a shape, or with several.
+    #[error(
+        "found {found}, expected exactly one of `vertices` with `faces`, `mesh` and `ellipsoid`"
+    )]
+    SpatialShape { found: String },
+    /// A center where there is no ellipse or ellipsoid.
+    #[error("found a `center`, which only an `{smooth}` has")]
+    Center { smooth: &'static str },
+    /// A part in space where fingers are to be placed.
+    #[error(
+        "found a spatial part, expected a planar one with an `outline`: \
+         `optimize` places fingers on outlines only"
+    )]
+    SpatialOptimum,
+    /// An ellipse where fingers are to be placed.
+    #[error("found no `outline`, expected one: `optimize` places fingers on outlines only")]
+    SmoothOptimum,
+    /// Fingers are to be placed, but how stiff they are is not known.
+    #[error("missing field `stiffness`, expected a positive number, or a list of one per edge")]
+    NoStiffness,
+    /// Too few points for an outline.
+    #[error("found {}, expected at least 3", counted(*.count, "corner"))]
+    TooFewCorners { count: usize },
+    /// The outline is not valid.
+    #[error(transparent)]
+    Outline(PolygonError),
+    /// The ellipse or ellipsoid is not valid.
+    #[error(transparent)]
+    Ellipsoid(EllipsoidError),
+    /// The surface is not valid.
+    #[error(transparent)]
+    Polyhedron(PolyhedronError),
+    /// The mesh file is no mesh of a solid.
+    #[error("{name}: {fault}")]
+    Mesh { name: String, fault: MeshFault },
+    /// The edge stiffnesses are not valid.
+    #[error(transparent)]
+    EdgeStiffness(OptimizeError),
+    /// A stiffness is zero or negative.
+    #[error("the stiffness is {value}, but has to be a positive finite number")]
+    Stiffness { value: f64 },
+    /// A list of stiffnesses where there is nothing to count.
+    #[error("found a list of stiffnesses, expected one number: {reason}")]
+    StiffnessList { reason: &'static str },
+    /// As many stiffnesses as something else.
+    #[error("found {}, expected one for each of the {faces} faces", counted(*.found, "number"))]
+    FaceStiffnesses { found: usize, faces: usize },
+}
+
+impl PartFault {
+    pub(super) fn help(&self) -> Option<&'static str> {
+        match self {
+            Self::SpatialOptimum | Self::SmoothOptimum => {
+                Some("`clench analyze` reads every part, with contacts")
+            }
+            Self::None => Some("`clench --help` shows a file"),
+            Self::Mesh { fault, .. } => fault.help(),
+            _ => None,
+        }
+    }
+}

@@ -1,0 +1,34 @@
+//! Mesh files: the surface of a solid, drawn elsewhere.
+
+mod obj;
+mod stl;
+
+use std::fs;
+use std::path::Path;
+
+use clench::shape::Polyhedron;
+
+use super::fault::MeshFault;
+
+/// The solid in the mesh file at `path`, an STL or OBJ file by its ending.
+///
+/// The readers check little: what they would overlook is checked before, and that the faces
+/// enclose a solid after.
+pub(super) fn read(path: &Path) -> Result<Polyhedron, MeshFault> {
+    let ends = |ending: &str| path.extension().is_some_and(|e| e.eq_ignore_ascii_case(ending));
+    let (stl, obj) = (ends("stl"), ends("obj"));
+    if !stl && !obj {
+        return Err(MeshFault::UnknownEnding);
+    }
+    let bytes = fs::read(path).map_err(MeshFault::Unreadable)?;
+    if bytes.iter().all(u8::is_ascii_whitespace) {
+        return Err(MeshFault::Empty);
+    }
+    if stl {
+        Polyhedron::from_triangles(&stl::triangles(bytes)?)
+    } else {
+        let (vertices, faces) = obj::surface(bytes)?;
+        Polyhedron::new(&vertices, &faces)
+    }
+    .map_err(MeshFault::Surface)
+}

@@ -1,0 +1,56 @@
+//! The file schema, version 1: what a part file and a grasp file may say.
+
+mod contact;
+mod part;
+
+mod results;
+mod words;
+
+use serde::{Deserialize, Serialize};
+
+use super::number::{Coordinates, Name, Whole};
+
+pub(crate) use contact::{Contact, Finger, Law, Material};
+pub(crate) use part::{Part, Planar, Spatial};
+pub(super) use results::without_results;
+pub(super) use words::{expected, help};
+
+/// The schema that this program reads.
+pub(crate) const VERSION: u64 = 1;
+
+/// A part, and for a grasp its contacts and loads.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(deny_unknown_fields, expecting = "a table with `part`")]
+pub(crate) struct File {
+    pub(crate) version: Option<Whole>,
+    #[serde(default)]
+    pub(crate) units: Units,
+    pub(crate) part: Part,
+    #[serde(default)]
+    pub(crate) contacts: Vec<Contact>,
+    #[serde(default)]
+    pub(crate) loads: Vec<Load>,
+}
+
+/// The names of the units that all numbers of a file are in.
+#[derive(Clone, Debug, PartialEq, Deserialize, Serialize)]
+#[serde(deny_unknown_fields, expecting = "a table with `length` and `force`")]
+pub(crate) struct Units {
+    pub(crate) length: Name,
+    pub(crate) force: Name,
+}
+
+/// A file that names no units has one of length and one of force all the same.
+impl Default for Units {
+    fn default() -> Self {
+        Self { length: Name("L".to_owned()), force: Name("F".to_owned()) }
+    }
+}
+
+/// A force that acts on the part besides the fingers, such as its weight.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(deny_unknown_fields, expecting = "a table with `point` and `force`")]
+pub(crate) struct Load {
+    pub(crate) point: Coordinates,
+    pub(crate) force: Coordinates,
+}

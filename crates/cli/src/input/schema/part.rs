@@ -1,0 +1,54 @@
+//! What is held.
+
+use serde::{Deserialize, Serialize};
+
+use super::super::number::{FileName, PerPiece, Point, Whole};
+
+/// A part of the plane or of space.
+#[derive(Clone, Debug, Deserialize, Serialize)]
+#[serde(deny_unknown_fields, expecting = "a table with `planar` or `spatial`")]
+pub(crate) struct Part {
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(crate) planar: Option<Planar>,
+    /// `optimize`, which repeats its part, knows none.
+    #[serde(skip_serializing)]
+    pub(crate) spatial: Option<Spatial>,
+}
+
+/// A planar part: an outline or an ellipse.
+#[derive(Clone, Debug, Deserialize, Serialize)]
+#[serde(deny_unknown_fields, expecting = "a table with `outline` or `ellipse`")]
+pub(crate) struct Planar {
+    /// The corners, either way round.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(crate) outline: Option<Vec<Point<2>>>,
+    /// The semi-axes along x and y [length].
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(crate) ellipse: Option<Point<2>>,
+    /// Of the ellipse; the origin if left out.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(crate) center: Option<Point<2>>,
+    /// Of a contact on each edge, or on the ellipse [force / length].
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(crate) stiffness: Option<PerPiece>,
+}
+
+/// A spatial part: a polyhedron, from the file or from a mesh, or an ellipsoid.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(
+    deny_unknown_fields,
+    expecting = "a table with `vertices` and `faces`, `mesh` or `ellipsoid`"
+)]
+pub(crate) struct Spatial {
+    pub(crate) vertices: Option<Vec<Point<3>>>,
+    /// The corners of each face, counter-clockwise seen from outside.
+    pub(crate) faces: Option<Vec<Vec<Whole>>>,
+    /// The path of a mesh file, from the folder of this one.
+    pub(crate) mesh: Option<FileName>,
+    /// The semi-axes along x, y and z [length].
+    pub(crate) ellipsoid: Option<Point<3>>,
+    /// Of the ellipsoid; the origin if left out.
+    pub(crate) center: Option<Point<3>>,
+    /// Of a contact on each face, or anywhere [force / length].
+    pub(crate) stiffness: Option<PerPiece>,
+}

@@ -1,0 +1,88 @@
+//! What only the reports of `optimize` have: `analyze` reads the rest as a grasp file.
+
+use super::super::node::Node;
+
+/// The results of `optimize` at the top of its report: `analyze` reads the rest as a grasp file.
+const RESULT_FIELDS: [&str; 20] = [
+    "dimension",
+    "fingers",
+    "total_preload",
+    "finger_radius",
+    "quality",
+    "sigma_min",
+    "mu_eq",
+    "limited_by",
+    "center_of_compliance",
+    "reach",
+    "worst_point_stiffness",
+    "worst_point",
+    "worst_corner",
+    "preload_margin",
+    "quality_second_order",
+    "quality_second_order_missing",
+    "ties",
+    "certificate",
+    "combinations",
+    "top",
+];
+
+/// The results at each contact of such a report.
+const CONTACT_RESULT_FIELDS: [&str; 1] = ["share"];
+
+/// Only reports of `optimize` have all of these.
+const MARKS_OF_A_REPORT: [&str; 2] = ["certificate", "combinations"];
+
+/// The file without its results, if it is a report of `optimize`; any other file as it is, so
+/// that none of its fields is overlooked.
+pub(in super::super) fn without_results(mut root: Node) -> Node {
+    if MARKS_OF_A_REPORT.iter().all(|name| root.field(name).is_some()) {
+        root.remove(&RESULT_FIELDS);
+        for contact in root.items_of_field("contacts") {
+            contact.remove(&CONTACT_RESULT_FIELDS);
+        }
+    }
+    root
+}
+
+#[cfg(test)]
+mod tests {
+    #![allow(clippy::unwrap_used, clippy::panic, reason = "a test that cannot go on fails")]
+
+    use std::collections::BTreeSet;
+
+    use clap::Parser;
+
+    use super::{CONTACT_RESULT_FIELDS, RESULT_FIELDS};
+    use crate::arguments::{Arguments, Command};
+
+    const PART: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../parts/quadrilateral.toml");
+
+    fn report(preload: &str) -> serde_json::Value {
+        let arguments = ["clench", "optimize", PART, "--fingers", "4", "--top", "2"];
+        let arguments = arguments.into_iter().chain(["--format", "json", "--preload", preload]);
+        let Command::Optimize(arguments) = Arguments::parse_from(arguments).command else {
+            panic!("another command than `optimize`")
+        };
+        serde_json::from_str(&crate::optimize::optimize(&arguments).unwrap().report).unwrap()
+    }
+
+    fn keys(table: &serde_json::Value) -> BTreeSet<String> {
+        table.as_object().unwrap().keys().cloned().collect()
+    }
+
+    /// A preload so large that its overlaps push the part away leaves no quality to second order.
+    #[test]
+    fn the_result_fields_are_those_of_a_report() {
+        let reports = [report("0.1"), report("1000")];
+        let mut found: BTreeSet<String> = reports.iter().flat_map(keys).collect();
+        for read in ["version", "units", "part", "contacts"] {
+            assert!(found.remove(read), "{read}");
+        }
+        assert_eq!(found, RESULT_FIELDS.map(str::to_owned).into());
+        let mut found = keys(&reports[0]["contacts"][0]);
+        for read in ["point", "inward_normal", "edge", "law", "preload", "finger"] {
+            assert!(found.remove(read), "{read}");
+        }
+        assert_eq!(found, CONTACT_RESULT_FIELDS.map(str::to_owned).into());
+    }
+}
