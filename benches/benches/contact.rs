@@ -14,8 +14,8 @@ fn one_contact(c: &mut Criterion) {
     let skewed = Geometry {
         point: Vector::new([3.0, -1.0, 2.0]),
         inward_normal: Vector::new([0.48, 0.6, 0.64]),
-        finger: Curvature::principal([5.0, 12.0], Vector::new([1.0, 0.0, 0.0])),
-        part: Curvature::principal([40.0, 9.0], Vector::new([0.0, 1.0, 0.3])),
+        finger: Curvature::principal_radii([5.0, 12.0], Vector::new([1.0, 0.0, 0.0])),
+        part: Curvature::principal_radii([40.0, 9.0], Vector::new([0.0, 1.0, 0.3])),
     };
     let mut group = c.benchmark_group("elliptic Hertz contact");
     group.bench_function("from curvatures to stiffness", |b| {

@@ -34,7 +34,8 @@ impl<const N: usize, const M: usize> Contact<N, M> {
     /// law does not reach, [`ContactError::NoStiffness`] when the law has no finite positive slope
     /// at it: Hertz' law has none without preload. Of the geometry,
     ///
-    /// - [`ContactError::NotFinite`], [`ContactError::NoNormal`], [`ContactError::Radius`],
+    /// - [`ContactError::NotFinite`], [`ContactError::NoNormal`],
+    ///   [`ContactError::RadiusNotANumber`], [`ContactError::PrincipalCurvature`],
     ///   [`ContactError::NoPrincipalDirection`] and [`ContactError::ShapeOperator`] name a number
     ///   that is none;
     /// - [`ContactError::NoGap`]: flat on flat, or a finger in a pocket that is narrower than the

@@ -3,7 +3,6 @@
 use clench_screw::{Mat, Vector};
 
 use crate::ContactError;
-use crate::geometry::unit;
 use crate::tangent::Tangent;
 
 /// A principal direction within this angle of the normal (rad) leaves fewer than half of its digits
@@ -19,7 +18,7 @@ pub struct Curvature<const N: usize>(Form<N>);
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Form<const N: usize> {
     Round(f64),
-    Principal { radii: [f64; 2], along: Vector<N> },
+    Principal { curvatures: [f64; 2], along: Vector<N> },
     Tensor(Mat<N, N>),
 }
 
@@ -55,12 +54,18 @@ impl<const N: usize> Curvature<N> {
 }
 
 impl Curvature<3> {
-    /// The principal radii `radii` (length): the first in the direction `along` as seen in the
-    /// tangent plane, the second across it. An infinite radius is a straight line: `[r, inf]` is
-    /// a cylinder of radius `r` whose axis is across `along`.
+    /// The principal curvatures (1 / length): the first in the direction `along` as seen in the
+    /// tangent plane, the second across it. A curvature of 0 is a straight line: `[k, 0]` is a
+    /// cylinder of radius `1 / k` whose axis is across `along`.
     #[must_use]
-    pub const fn principal(radii: [f64; 2], along: Vector<3>) -> Self {
-        Self(Form::Principal { radii, along })
+    pub const fn principal_curvatures(curvatures: [f64; 2], along: Vector<3>) -> Self {
+        Self(Form::Principal { curvatures, along })
+    }
+
+    /// The same by the principal radii (length), which may be infinite.
+    #[must_use]
+    pub const fn principal_radii([first, second]: [f64; 2], along: Vector<3>) -> Self {
+        Self::principal_curvatures([first.recip(), second.recip()], along)
     }
 }
 
@@ -82,22 +87,20 @@ impl<const N: usize> Radii<N> {
         let plane = tangent.projector();
         match curvature.0 {
             Form::Round(r) if r.is_nan() || r == f64::NEG_INFINITY => {
-                Err(ContactError::Radius { body, value: r })
+                Err(ContactError::RadiusNotANumber { body, value: r })
             }
             Form::Round(r) if r.is_infinite() => Ok(Self { x: 1.0, y: Mat::ZERO }),
             Form::Round(r) => Ok(Self { x: r.abs(), y: plane * 1.0_f64.copysign(r + 0.0) }),
-            Form::Principal { radii, along } => {
-                let curvatures = radii.map(f64::recip);
-                for (value, curvature) in radii.into_iter().zip(curvatures) {
-                    if !(curvature.is_finite()) {
-                        return Err(ContactError::Radius { body, value });
-                    }
+            Form::Principal { curvatures, along } => {
+                if let Some(value) = curvatures.into_iter().find(|k| !k.is_finite()) {
+                    return Err(ContactError::PrincipalCurvature { body, value });
                 }
                 // Projected twice: the first time leaves the rounding of what it takes away.
-                let first = unit(along)
+                let first = along
+                    .direction()
                     .map(|along| plane * along)
                     .filter(|across| across.norm() > ALONG_NORMAL)
-                    .and_then(|across| unit(plane * across))
+                    .and_then(|across| (plane * across).direction())
                     .ok_or(ContactError::NoPrincipalDirection { body })?;
                 let first = Mat::outer(first, first);
                 Ok(Self { x: 1.0, y: first * curvatures[0] + (plane - first) * curvatures[1] })

@@ -32,16 +32,39 @@ pub enum ContactError {
         /// What was found.
         value: f64,
     },
-    /// A radius of curvature is not a number, or is 0 where a boundary has to be smooth.
-    #[error(
-        "the {body}'s boundary has the radius of curvature {value}, but a radius has to be a \
-         number; for Hertz' law, and for a principal radius, other than 0"
-    )]
-    Radius {
+    /// The radius of a round boundary is not a number, or infinitely hollow.
+    #[error("the {body}'s boundary has the radius {value}, but a radius has to be a number")]
+    RadiusNotANumber {
         /// `"finger"` or `"part"`.
         body: &'static str,
         /// What was found.
         value: f64,
+    },
+    /// A principal curvature is infinite or not a number: a knife edge has none.
+    #[error(
+        "the {body}'s boundary has the principal curvature {value}, but it has to be a finite \
+         number: an edge, of radius 0, has no curvature"
+    )]
+    PrincipalCurvature {
+        /// `"finger"` or `"part"`.
+        body: &'static str,
+        /// What was found.
+        value: f64,
+    },
+    /// Hertz' law needs smooth bodies.
+    #[error("the {body} is pointed, but Hertz' law needs a smooth boundary: give it a radius")]
+    Pointed {
+        /// `"finger"` or `"part"`.
+        body: &'static str,
+    },
+    /// Hertz' law needs a contact at a point.
+    #[error(
+        "finger and part touch along a line, with the relative curvature {larger} across it, but \
+         Hertz' law needs them to touch at a point"
+    )]
+    LineOfContact {
+        /// The relative curvature across the line (1 / length).
+        larger: f64,
     },
     /// The principal direction of a boundary is along the normal, or is none.
     #[error("the {body}'s principal direction is along the normal, or is zero or not finite")]
@@ -58,8 +81,8 @@ pub enum ContactError {
     /// The gap between finger and part does not open in all directions.
     #[error(
         "along some direction the curvatures of finger and part sum to {relative_curvature}, but \
-         have to sum to more than 0 and its rounding: flat on flat, or a finger in a hollow as narrow as itself, \
-         touches in more than one point"
+         have to sum to more than 0 and its rounding: flat on flat, or a finger in a hollow as \
+         narrow as itself, touches in more than one point"
     )]
     NoGap {
         /// The least relative curvature (1 / length).
@@ -84,16 +107,16 @@ pub enum ContactError {
         /// The law's largest force.
         largest: f64,
     },
-    /// The relative curvatures do not belong to an ellipse.
+    /// A gap does not belong to an ellipse.
     #[error(
-        "the gap has the curvatures {smaller} and {larger}, but the first has to be the smaller \
-         one, and their ratio at most {LARGEST_CURVATURE_RATIO:e}"
+        "the gap A x^2 + B y^2 has A = {a} and B = {b}, but A has to be the smaller one, and B \
+         at most {LARGEST_CURVATURE_RATIO:e} times as large"
     )]
     NoEllipse {
-        /// The one given as the smaller (1 / length).
-        smaller: f64,
-        /// The one given as the larger (1 / length).
-        larger: f64,
+        /// `A` (1 / length).
+        a: f64,
+        /// `B` (1 / length).
+        b: f64,
     },
     /// No elastic material has this Poisson's ratio.
     #[error("Poisson's ratio is {value}, but has to be more than -1 and at most 1/2")]
@@ -101,9 +124,6 @@ pub enum ContactError {
         /// What was found.
         value: f64,
     },
-    /// There is no material of this name.
-    #[error("no material has this name; known are {}", known_materials())]
-    UnknownMaterial,
     /// Curvatures so large that their products leave the range of numbers.
     #[error(transparent)]
     Screw(#[from] clench_screw::ScrewError),
@@ -119,10 +139,6 @@ pub enum ContactError {
         /// `f'(0)`.
         slope: f64,
     },
-}
-
-fn known_materials() -> String {
-    crate::Material::ALL.map(|material| material.name).join(", ")
 }
 
 /// `value`, if it is positive and finite.

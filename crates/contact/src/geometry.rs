@@ -37,7 +37,7 @@ impl<const N: usize> Geometry<N> {
     pub(crate) fn checked(self) -> Result<Self, ContactError> {
         let point = finite("contact point", self.point)?;
         let normal = finite("inward normal", self.inward_normal)?;
-        let inward_normal = unit(normal).ok_or(ContactError::NoNormal)?;
+        let inward_normal = normal.direction().ok_or(ContactError::NoNormal)?;
         Ok(Self { point, inward_normal, ..self })
     }
 
@@ -68,7 +68,7 @@ impl Geometry<3> {
     /// # Errors
     ///
     /// What [`Contact::new`](crate::Contact::new) finds wrong with a geometry;
-    /// [`ContactError::Radius`] for a pointed boundary, whose curvature is infinite.
+    /// [`ContactError::Pointed`] for a pointed boundary, whose curvature is infinite.
     ///
     /// ```
     /// use clench_contact::{Curvature, Geometry};
@@ -78,8 +78,8 @@ impl Geometry<3> {
     /// let crossed = Geometry {
     ///     point: Vector::ZERO,
     ///     inward_normal: Vector::new([0.0, 0.0, -1.0]),
-    ///     finger: Curvature::principal([2.0, f64::INFINITY], x),
-    ///     part: Curvature::principal([4.0, f64::INFINITY], y),
+    ///     finger: Curvature::principal_radii([2.0, f64::INFINITY], x),
+    ///     part: Curvature::principal_radii([4.0, f64::INFINITY], y),
     /// };
     /// let relative = crossed.relative_curvature()?;
     /// assert_eq!((relative.smaller, relative.larger), (0.25, 0.5));
@@ -92,7 +92,7 @@ impl Geometry<3> {
         let [finger, part] = checked.radii(&tangent)?;
         for (body, radii) in [("finger", finger), ("part", part)] {
             if radii.x <= 0.0 {
-                return Err(ContactError::Radius { body, value: 0.0 });
+                return Err(ContactError::Pointed { body });
             }
         }
         let [finger, part] = [finger, part].map(|radii| radii.y * radii.x.recip());
@@ -115,14 +115,4 @@ fn finite<const N: usize>(
         Some(axis) => Err(ContactError::NotFinite { parameter, axis, value: vector[axis] }),
         None => Ok(vector),
     }
-}
-
-/// `vector` at unit length; divided by its largest component first, so that no square underflows.
-pub(crate) fn unit<const N: usize>(vector: Vector<N>) -> Option<Vector<N>> {
-    let size = vector.max_abs();
-    if !(size > 0.0 && size.is_finite()) {
-        return None;
-    }
-    let scaled = Vector::from_fn(|i| vector[i] / size);
-    Some(scaled * scaled.norm().recip())
 }

@@ -14,7 +14,7 @@ pub struct Material {
     pub young_modulus_pa: f64,
     /// `nu`.
     pub poisson_ratio: f64,
-    /// Where the values are from; the tags are those of `docs/sources.md`.
+    /// Where the values are from, and how far others spread, in gigapascals.
     pub source: &'static str,
 }
 
@@ -25,6 +25,14 @@ pub struct Units {
     pub length_m: f64,
     /// The unit of force, in newtons.
     pub force_n: f64,
+}
+
+impl Units {
+    /// Meters and newtons, so that moduli and pressures are in pascals.
+    pub const SI: Self = Self { length_m: 1.0, force_n: 1.0 };
+
+    /// Millimeters and newtons, so that moduli and pressures are in megapascals.
+    pub const MILLIMETER_NEWTON: Self = Self { length_m: 1e-3, force_n: 1.0 };
 }
 
 impl Material {
@@ -53,13 +61,9 @@ impl Material {
     }
 
     /// The material called `name` in [`Material::ALL`].
-    ///
-    /// # Errors
-    ///
-    /// [`ContactError::UnknownMaterial`], whose message lists the names.
-    pub fn named(name: &str) -> Result<Self, ContactError> {
-        let found = Self::ALL.into_iter().find(|material| material.name == name);
-        found.ok_or(ContactError::UnknownMaterial)
+    #[must_use]
+    pub fn named(name: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|material| material.name == name)
     }
 
     /// The elastic constants in the caller's units.
@@ -70,8 +74,7 @@ impl Material {
     ///
     /// ```
     /// use clench_contact::{Material, Units};
-    /// let units = Units { length_m: 1e-3, force_n: 1.0 };
-    /// let steel = Material::named("steel")?.elastic(units)?;
+    /// let steel = Material::named("steel").expect("a known name").elastic(Units::MILLIMETER_NEWTON)?;
     /// assert!((steel.young_modulus() - 207e3).abs() < 1e-6); // N/mm^2
     /// # Ok::<(), clench_contact::ContactError>(())
     /// ```

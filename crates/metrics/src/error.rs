@@ -27,14 +27,17 @@ pub enum MetricsError {
     },
     /// The body is free to rotate, or pushed away when it does.
     #[error(
-        "the body is not held against rotation about {axis:?} through {center:?}: \
+        "the body is not held against rotation about {axis:?} through {point:?}: \
          the stiffness there is {value:e}, which is below the rounding error of {scale:e}"
     )]
     RotationNotHeld {
         /// Unit direction of the rotation; in the plane `[0, 0, 1]`.
         axis: [f64; 3],
-        /// The center of compliance, about which the body would turn.
-        center: [f64; 3],
+        /// The point of the axis nearest to the frame's origin, about which the body would turn;
+        /// in the plane the center of compliance.
+        point: [f64; 3],
+        /// How far the body would move along the axis per turn of one radian (length).
+        pitch: f64,
         /// The principal rotational stiffness (force * length).
         value: f64,
         /// The rotational stiffness felt at the origin of the computation.

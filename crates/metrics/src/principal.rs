@@ -1,6 +1,6 @@
 //! The principal stiffness parameters of LBR section 3.
 
-use clench_screw::{Mat, Stiffness, SymmetricEigen, Twist, Vector, lever, lever_center};
+use clench_screw::{Axis, Mat, Stiffness, SymmetricEigen, Twist, Vector, lever, lever_center};
 
 use crate::MetricsError;
 
@@ -76,15 +76,9 @@ impl<const N: usize, const M: usize> Principal<N, M> {
         if value > ZERO_STIFFNESS * scale {
             return Ok(principal);
         }
-        Err(MetricsError::RotationNotHeld {
-            // The last axes: in the plane the rotation is about z.
-            axis: std::array::from_fn(|i| {
-                if i + M >= 3 { rotational.vectors[0][i + M - 3] } else { 0.0 }
-            }),
-            center: padded(principal.center()),
-            value,
-            scale,
-        })
+        let Axis { direction, point, pitch } = principal.axis_of(0);
+        let (axis, point) = (direction.to_array(), point.to_array());
+        Err(MetricsError::RotationNotHeld { axis, point, pitch, value, scale })
     }
 
     /// The principal translational stiffnesses `sigma_i` (force / length), ascending, and their
@@ -128,6 +122,27 @@ impl<const N: usize, const M: usize> Principal<N, M> {
         Twist { linear: map * rotation, angular: rotation }
     }
 
+    /// The twist-compliant axes: those of the forceless twists about the principal rotational
+    /// directions [LBR, section 3.2]. In the plane there is one, along z through the center of
+    /// compliance.
+    #[must_use]
+    pub fn twist_axes(&self) -> [Axis; M] {
+        std::array::from_fn(|i| self.axis_of(i))
+    }
+
+    /// The axis of principal rotation `i`, from the frame's origin; its moment is taken near the
+    /// body, where nothing cancels.
+    fn axis_of(&self, i: usize) -> Axis {
+        let center = self.center();
+        let rotation = self.rotational.vectors[i];
+        let about = self.twist_map - lever(center - self.origin);
+        let twist = Twist { linear: about * rotation, angular: rotation }.in_space();
+        let near = Axis::new(twist.angular, twist.linear);
+        let center = padded(center);
+        let across = center - near.direction * near.direction.dot(center);
+        Axis { point: near.point + across, ..near }
+    }
+
     /// The compliance felt at a body point: displacement of `point` per force at `point`,
     /// `C_W + X K_V^-1 X^T` with `X = P_1 - lever(point)` (length / force).
     #[must_use]
@@ -145,7 +160,7 @@ fn translational<const N: usize, const M: usize>(
     if value > ZERO_STIFFNESS * largest {
         return Ok(eigen);
     }
-    let direction = padded(eigen.vectors[0]);
+    let direction = padded(eigen.vectors[0]).to_array();
     Err(MetricsError::TranslationNotHeld { direction, value, largest })
 }
 
@@ -162,6 +177,6 @@ fn inverse<const D: usize>(eigen: &SymmetricEigen<D>) -> Mat<D, D> {
     pairs.fold(Mat::ZERO, |sum, (value, &v)| sum + Mat::outer(v, v) * value.recip())
 }
 
-fn padded<const N: usize>(v: Vector<N>) -> [f64; 3] {
-    std::array::from_fn(|i| if i < N { v[i] } else { 0.0 })
+fn padded<const N: usize>(v: Vector<N>) -> Vector<3> {
+    Vector::from_fn(|i| if i < N { v[i] } else { 0.0 })
 }

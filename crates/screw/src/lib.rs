@@ -46,7 +46,7 @@ mod axis;
 pub mod planar;
 pub mod spatial;
 
-pub use axis::Screw;
+pub use axis::{Axis, Screw};
 pub use cholesky::Cholesky;
 pub use eigen::SymmetricEigen;
 pub use error::ScrewError;

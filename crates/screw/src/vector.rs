@@ -53,6 +53,19 @@ impl<const N: usize> Vector<N> {
         self.norm_squared().sqrt()
     }
 
+    /// The vector at unit length; `None` for one that is zero or not finite.
+    ///
+    /// Divided by its largest component first, so that no square leaves the range of numbers.
+    #[must_use]
+    pub fn direction(self) -> Option<Self> {
+        let size = self.max_abs();
+        if !(size > 0.0 && self.is_finite()) {
+            return None;
+        }
+        let scaled = Self::from_fn(|i| self.0[i] / size);
+        Some(scaled * scaled.norm().recip())
+    }
+
     /// The largest magnitude of a component; 0 when `N` is 0.
     #[must_use]
     pub fn max_abs(self) -> f64 {

@@ -127,18 +127,13 @@ fn of_convex(finger: Convex<2>, part: Convex<2>) -> DeepestPair<2> {
 }
 
 /// The point of an outline nearest to `point`.
-///
-/// At a corner the point is outside if and only if it is on the side of the sum of the normals.
 fn on_outline(outline: &Polygon, point: Vector<2>) -> Surface<2> {
     let place = outline.place(point);
+    if let Some(corner) = place.corner {
+        return Surface::at(outline.corners()[corner], point, outline.inward_at(&place));
+    }
     let edge = &outline.edges()[place.edge];
-    let Some(corner) = place.corner else {
-        let foot = edge.point_at(place.along);
-        let inside = edge.inward_normal().dot(point - edge.start()) > 0.0;
-        let signed_distance = if inside { -place.distance } else { place.distance };
-        return Surface { foot, signed_distance, inward_normal: edge.inward_normal() };
-    };
-    let before = &outline.edges()[(corner + outline.edges().len() - 1) % outline.edges().len()];
-    let inward = edge.inward_normal() + before.inward_normal();
-    Surface::at(outline.corners()[corner], point, inward)
+    let foot = edge.point_at(place.along);
+    let signed_distance = outline.signed_distance(point);
+    Surface { foot, signed_distance, inward_normal: edge.inward_normal() }
 }

@@ -178,6 +178,35 @@ impl Polygon {
         nearest_place(&self.edges, point)
     }
 
+    /// The distance of `point` from the outline (length), negative inside.
+    ///
+    /// ```
+    /// let part = clench_shape::Polygon::new(&[[0.0, 0.0], [4.0, 0.0], [0.0, 3.0]])?;
+    /// assert_eq!(part.signed_distance([1.0, 0.5].into()), -0.5);
+    /// assert_eq!(part.signed_distance([7.0, -4.0].into()), 5.0);
+    /// # Ok::<(), clench_shape::PolygonError>(())
+    /// ```
+    #[must_use]
+    pub fn signed_distance(&self, point: Vector<2>) -> f64 {
+        let place = self.place(point);
+        let foot = self.edges[place.edge].point_at(place.along);
+        let inside = self.inward_at(&place).dot(point - foot) > 0.0;
+        if inside { -place.distance } else { place.distance }
+    }
+
+    /// A direction into the part from a place of the outline: at a corner a point that is nearest
+    /// to it is inside exactly if it is on this side.
+    pub(crate) fn inward_at(&self, place: &Place) -> Vector<2> {
+        let inward = self.edges[place.edge].inward_normal();
+        match place.corner {
+            Some(corner) => {
+                let before = (corner + self.edges.len() - 1) % self.edges.len();
+                inward + self.edges[before].inward_normal()
+            }
+            None => inward,
+        }
+    }
+
     /// The area enclosed by the outline (length squared).
     ///
     /// Summed about the geometric center, so that it does not suffer far away from the origin.

@@ -150,8 +150,7 @@ impl<const N: usize, const M: usize> Grasp<N, M> {
     /// see [`Overlap::depth_after`](clench_contact::Overlap::depth_after).
     #[must_use]
     pub fn potential_energy(&self, displacement: &Frame<N, M>) -> f64 {
-        let stored =
-            |c: &Contact<N, M>| c.law().energy(c.overlap().depth_after(displacement).max(0.0));
+        let stored = |c: &Contact<N, M>| c.law().energy(c.overlap().depth_after(displacement));
         let contacts: f64 = self.contacts.iter().map(stored).sum();
         let loads: f64 = self.loads.iter().map(|load| load.energy_after(displacement)).sum();
         contacts + loads

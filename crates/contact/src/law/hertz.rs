@@ -4,7 +4,7 @@ use ellip::cel2;
 
 use super::ForceLaw;
 use crate::error::positive;
-use crate::{ContactError, Geometry};
+use crate::{ContactError, Geometry, RelativeCurvature};
 
 /// Newton's method on the shape of the ellipse converges quadratically from a start that is right
 /// to a factor of 4 for ratios of curvatures up to 1e6; this many steps are the end for any ratio.
@@ -78,14 +78,14 @@ impl Hertz {
     /// contact, `A = 0`, has another law: [`Line`](super::Line).
     pub fn elliptic(effective_modulus: f64, gap: [f64; 2]) -> Result<Self, ContactError> {
         let modulus = positive("effective modulus", effective_modulus)?;
-        let smaller = positive("smaller relative curvature", gap[0])?;
-        let larger = positive("larger relative curvature", gap[1])?;
-        let no_ellipse = || ContactError::NoEllipse { smaller, larger };
-        if smaller > larger || larger / smaller > LARGEST_CURVATURE_RATIO {
+        let a = positive("A of the gap", gap[0])?;
+        let b = positive("B of the gap", gap[1])?;
+        let no_ellipse = || ContactError::NoEllipse { a, b };
+        if a > b || b / a > LARGEST_CURVATURE_RATIO {
             return Err(no_ellipse());
         }
-        let ellipse = ellipse(larger / smaller).ok_or_else(no_ellipse)?;
-        let spread = ellipse.d / (ellipse.k * smaller);
+        let ellipse = ellipse(b / a).ok_or_else(no_ellipse)?;
+        let spread = ellipse.d / (ellipse.k * a);
         let coefficient = 2.0 * std::f64::consts::PI * modulus / (3.0 * ellipse.k) * spread.sqrt();
         positive("coefficient", coefficient)?;
         let law = Self { effective_modulus: modulus, ratio: ellipse.ratio, spread, coefficient };
@@ -97,10 +97,18 @@ impl Hertz {
     ///
     /// # Errors
     ///
-    /// Those of [`Geometry::relative_curvature`] and [`Self::elliptic`].
+    /// Those of [`Geometry::relative_curvature`] and [`Self::elliptic`];
+    /// [`ContactError::LineOfContact`] when one relative curvature is 0, and
+    /// [`ContactError::NoGap`] when it is negative.
     pub fn of(effective_modulus: f64, geometry: &Geometry<3>) -> Result<Self, ContactError> {
-        let relative = geometry.relative_curvature()?;
-        Self::elliptic(effective_modulus, [0.5 * relative.smaller, 0.5 * relative.larger])
+        let RelativeCurvature { smaller, larger, .. } = geometry.relative_curvature()?;
+        if smaller < 0.0 || larger <= 0.0 {
+            return Err(ContactError::NoGap { relative_curvature: smaller });
+        }
+        if smaller <= 0.0 {
+            return Err(ContactError::LineOfContact { larger });
+        }
+        Self::elliptic(effective_modulus, [0.5 * smaller, 0.5 * larger])
     }
 
     /// `E*` (force / length^2).

@@ -85,6 +85,13 @@ impl Line {
         (self.spread * force / self.thickness).sqrt()
     }
 
+    /// The pressure in the middle of the area of contact, `2 P / (pi a)` (force / length^2).
+    #[must_use]
+    pub fn peak_pressure(&self, force: f64) -> f64 {
+        // a^2 / P is constant, so that nothing divides zero by zero.
+        2.0 / PI * (force / self.thickness / self.spread).sqrt()
+    }
+
     /// The overlap at the largest force, where the law ends (length).
     #[must_use]
     pub fn largest_overlap(&self) -> f64 {

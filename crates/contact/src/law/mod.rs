@@ -20,7 +20,8 @@ use crate::{ContactError, Geometry};
 /// What a force law has to answer; implement it for one of your own, and wrap that in
 /// [`Law::custom`].
 ///
-/// A law is increasing and starts at the origin. All numbers are in one consistent set of units.
+/// A law is increasing and starts at the origin, and is only asked about overlaps and forces that
+/// are not negative. All numbers are in one consistent set of units.
 pub trait ForceLaw: Debug + Send + Sync {
     /// The force `f(delta)` of an overlap that is not negative.
     fn force(&self, overlap: f64) -> f64;
@@ -90,7 +91,8 @@ impl Law {
     }
 
     /// Hertz' law for the curvatures of finger and part in `geometry`, with the
-    /// `effective_modulus` `E*` (force / length^2) of [`effective_modulus`].
+    /// `effective_modulus` `E*` (force / length^2) of [`effective_modulus`]. Area and pressure of
+    /// the contact are asked of the [`Hertz`] inside.
     ///
     /// # Errors
     ///
@@ -127,22 +129,23 @@ impl Law {
         }
     }
 
-    /// The force `f(delta)` of an overlap that is not negative.
+    /// The force `f(delta)`; 0 where the bodies are apart.
     #[must_use]
     pub fn force(&self, overlap: f64) -> f64 {
-        self.as_force_law().force(overlap)
+        if overlap < 0.0 { 0.0 } else { self.as_force_law().force(overlap) }
     }
 
-    /// The slope `f'(delta)` (force / length).
+    /// The slope `f'(delta)` (force / length); 0 where the bodies are apart.
     #[must_use]
     pub fn slope(&self, overlap: f64) -> f64 {
-        self.as_force_law().slope(overlap)
+        if overlap < 0.0 { 0.0 } else { self.as_force_law().slope(overlap) }
     }
 
-    /// The energy, the integral of `f` from 0 to `delta` (force * length).
+    /// The energy, the integral of `f` from 0 to `delta` (force * length); 0 where the bodies are
+    /// apart.
     #[must_use]
     pub fn energy(&self, overlap: f64) -> f64 {
-        self.as_force_law().energy(overlap)
+        if overlap < 0.0 { 0.0 } else { self.as_force_law().energy(overlap) }
     }
 
     /// The overlap at which the force is `force`, between 0 and [`Self::largest_force`].

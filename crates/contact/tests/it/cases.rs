@@ -60,8 +60,11 @@ fn the_ellipse_of_two_skewed_bodies_is_that_of_the_cases() {
             point: Vector::new([0.3, -0.2, 0.9]),
             // The bodies' angle is counted about the normal.
             inward_normal: Vector::new([0.0, 0.0, 1.0]),
-            finger: Curvature::principal(radii("kappa_A"), Vector::new([1.0, 0.0, 0.0])),
-            part: Curvature::principal(radii("kappa_B"), Vector::new([phi.cos(), phi.sin(), 0.0])),
+            finger: Curvature::principal_radii(radii("kappa_A"), Vector::new([1.0, 0.0, 0.0])),
+            part: Curvature::principal_radii(
+                radii("kappa_B"),
+                Vector::new([phi.cos(), phi.sin(), 0.0]),
+            ),
         };
         let relative = place.relative_curvature().unwrap();
         let modulus = number(&input["E_star"]);

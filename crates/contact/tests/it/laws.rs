@@ -270,8 +270,8 @@ fn flatter_bodies_have_the_larger_hessian() {
             let place = Geometry {
                 point,
                 inward_normal: normal,
-                finger: Curvature::principal(finger, along),
-                part: Curvature::principal(part, across),
+                finger: Curvature::principal_radii(finger, along),
+                part: Curvature::principal_radii(part, across),
             };
             let contact = Contact::<3, 3>::overlapping(place, Law::linear(1.0).unwrap(), 0.2);
             contact.unwrap().overlap().hessian(Vector::ZERO)
@@ -296,7 +296,7 @@ fn round_fingers_have_a_coupling_block_without_trace() {
             point: r.array(2.0).into(),
             inward_normal: r.array(1.0).into(),
             finger: Curvature::round(r.between(0.0, 2.0)),
-            part: Curvature::principal([1.0 / p, 1.0 / q], r.array(1.0).into()),
+            part: Curvature::principal_radii([1.0 / p, 1.0 / q], r.array(1.0).into()),
         };
         let overlap = r.between(0.0, 0.3);
         let contact = Contact::<3, 3>::overlapping(place, Law::linear(1.0).unwrap(), overlap);
@@ -324,7 +324,7 @@ fn equal_boundaries_have_equal_hessians_however_they_are_given() {
     let along = Vector::new([1.0, 0.3, -0.2]);
     let same = [
         Curvature::round(2.0),
-        Curvature::principal([2.0, 2.0], along),
+        Curvature::principal_radii([2.0, 2.0], along),
         Curvature::of_shape_operator(tangent * 0.5),
         Curvature::of_shape_operator(Mat::IDENTITY * 0.5),
     ];

@@ -100,7 +100,7 @@ fn along(
 #[test]
 fn boundaries_that_do_not_open_a_gap_are_refused() {
     let x = Vector::new([1.0, 0.0, 0.0]);
-    let cylinder = |along| Curvature::principal([1.0, f64::INFINITY], along);
+    let cylinder = |along| Curvature::principal_radii([1.0, f64::INFINITY], along);
     let round = Curvature::round;
     let no_gap = |relative_curvature| Err(ContactError::NoGap { relative_curvature });
     assert_eq!(solid(Curvature::FLAT, Curvature::FLAT, 0.0), no_gap(0.0));
@@ -116,7 +116,7 @@ fn boundaries_that_do_not_open_a_gap_are_refused() {
     // A needle reaches into any hollow, and a hollow finger holds a smaller ball.
     assert_eq!(solid(Curvature::POINTED, round(-0.1), 0.0), Ok(()));
     assert_eq!(solid(round(-3.0), round(2.0), 0.1), Ok(()));
-    let saddle = Curvature::principal([1.0, -0.5], x);
+    let saddle = Curvature::principal_radii([1.0, -0.5], x);
     assert_eq!(solid(round(1.0), saddle, 0.0), no_gap(-1.0));
 }
 
@@ -134,7 +134,7 @@ fn overlaps_are_less_than_the_radii_allow() {
     assert_eq!(solid(Curvature::POINTED, round(2.0), 2.5), too_deep(2.5, 2.0));
     assert_eq!(solid(round(1.0), Curvature::FLAT, 1e9), Ok(()));
     // The least sum of radii in one direction counts: 1 + 2.
-    let [finger, part] = [[1.0, 4.0], [2.0, 3.0]].map(|radii| Curvature::principal(radii, x));
+    let [finger, part] = [[1.0, 4.0], [2.0, 3.0]].map(|radii| Curvature::principal_radii(radii, x));
     assert_eq!(solid(finger, part, 2.9), Ok(()));
     let found = solid(finger, part, 3.5);
     assert!(matches!(
@@ -148,14 +148,17 @@ fn a_boundary_names_what_is_wrong_with_it() {
     let (x, z) = (Vector::new([1.0, 0.0, 0.0]), Vector::new([0.0, 0.0, 2.0]));
     let bad = |curvature| solid(curvature, Curvature::FLAT, 0.0);
     let nan = bad(Curvature::round(f64::NAN));
-    assert!(matches!(nan, Err(ContactError::Radius { body: "finger", value }) if value.is_nan()));
+    assert!(
+        matches!(nan, Err(ContactError::RadiusNotANumber { body: "finger", value }) if value.is_nan())
+    );
     let value = f64::NEG_INFINITY;
     let found = bad(Curvature::round(value));
-    assert_eq!(found, Err(ContactError::Radius { body: "finger", value }));
-    let found = solid(Curvature::round(1.0), Curvature::principal([0.0, 1.0], x), 0.0);
-    assert_eq!(found, Err(ContactError::Radius { body: "part", value: 0.0 }));
+    assert_eq!(found, Err(ContactError::RadiusNotANumber { body: "finger", value }));
+    let found = solid(Curvature::round(1.0), Curvature::principal_radii([0.0, 1.0], x), 0.0);
+    let value = f64::INFINITY;
+    assert_eq!(found, Err(ContactError::PrincipalCurvature { body: "part", value }));
     for along in [z, Vector::ZERO, Vector::new([f64::NAN, 0.0, 0.0])] {
-        let found = bad(Curvature::principal([1.0, 2.0], along));
+        let found = bad(Curvature::principal_radii([1.0, 2.0], along));
         assert_eq!(found, Err(ContactError::NoPrincipalDirection { body: "finger" }));
     }
     let found = bad(Curvature::of_shape_operator(Mat::IDENTITY * f64::INFINITY));
@@ -173,15 +176,20 @@ fn hertz_needs_smooth_bodies_and_a_preload() {
     let found = Contact::<3, 3>::new(ball, law, 0.0);
     assert_eq!(found, Err(ContactError::NoStiffness { slope: 0.0 }));
     let found = Law::hertz(100.0, &place(Curvature::POINTED, Curvature::FLAT));
-    assert_eq!(found, Err(ContactError::Radius { body: "finger", value: 0.0 }));
+    assert_eq!(found, Err(ContactError::Pointed { body: "finger" }));
     // A cylinder on a face touches along a line.
     let along = Vector::new([1.0, 0.0, 0.0]);
-    let cylinder = Curvature::principal([1.0, f64::INFINITY], along);
+    let cylinder = Curvature::principal_radii([1.0, f64::INFINITY], along);
     let found = Law::hertz(100.0, &place(cylinder, Curvature::FLAT));
-    let parameter = "smaller relative curvature";
-    assert_eq!(found, Err(ContactError::NotPositive { parameter, value: 0.0 }));
+    assert_eq!(found, Err(ContactError::LineOfContact { larger: 1.0 }));
+    let socket = place(Curvature::round(4.0), Curvature::round(-2.0));
+    let found = Law::hertz(100.0, &socket);
+    assert_eq!(found, Err(ContactError::NoGap { relative_curvature: -0.25 }));
     let found = Hertz::elliptic(1.0, [2.0, 1.0]);
-    assert_eq!(found, Err(ContactError::NoEllipse { smaller: 2.0, larger: 1.0 }));
+    assert_eq!(found, Err(ContactError::NoEllipse { a: 2.0, b: 1.0 }));
+    let parameter = "A of the gap";
+    let found = Hertz::elliptic(1.0, [0.0, 1.0]);
+    assert_eq!(found, Err(ContactError::NotPositive { parameter, value: 0.0 }));
     let found = Hertz::elliptic(1.0, [1e-300, 1e300]);
     assert!(matches!(found, Err(ContactError::NoEllipse { .. })), "{found:?}");
     let found = Hertz::circular(0.0, 1.0);
@@ -207,14 +215,13 @@ fn elastic_constants_are_those_of_a_material() {
     // Incompressible, against itself.
     let rubber = Elastic::new(3.0, 0.5).unwrap();
     assert_eq!(effective_modulus(rubber, rubber), 2.0);
-    let units = Units { length_m: 1e-3, force_n: 1.0 };
+    let units = Units::MILLIMETER_NEWTON;
     for material in Material::ALL {
         let found = Material::named(material.name).unwrap().elastic(units).unwrap();
         assert!(found.young_modulus() > 1.0 && found.young_modulus() < 1e6, "{material:?}");
     }
     let found = Material::named("wood");
-    assert_eq!(found, Err(ContactError::UnknownMaterial));
-    assert!(found.unwrap_err().to_string().contains("known are steel, stainless steel, "));
+    assert_eq!(found, None);
     let nowhere = Units { length_m: 0.0, force_n: 1.0 };
     let parameter = "Young's modulus";
     let found = Material::ALL[0].elastic(nowhere);
@@ -277,10 +284,14 @@ fn limits_are_the_same_for_all_normals() {
             (round(1.0), round(2.0), 3.0),
             (Curvature::POINTED, round(2.0), 2.0),
             (round(2.0), Curvature::POINTED, 2.0),
-            (Curvature::principal([1.0, 2.0], first), Curvature::principal([2.0, 1.0], first), 3.0),
             (
-                Curvature::principal([1.0, 2.0], first),
-                Curvature::principal([1.0, 2.0], second),
+                Curvature::principal_radii([1.0, 2.0], first),
+                Curvature::principal_radii([2.0, 1.0], first),
+                3.0,
+            ),
+            (
+                Curvature::principal_radii([1.0, 2.0], first),
+                Curvature::principal_radii([1.0, 2.0], second),
                 3.0,
             ),
         ];
@@ -294,21 +305,18 @@ fn limits_are_the_same_for_all_normals() {
         }
 
         // A cylinder on a face, and two parallel ones, touch along a line.
-        let cylinder = Curvature::principal([1.0, f64::INFINITY], first);
+        let cylinder = Curvature::principal_radii([1.0, f64::INFINITY], first);
         for part in [Curvature::FLAT, cylinder] {
             let found = along(normal, cylinder, part, 0.0);
             assert!(matches!(found, Err(ContactError::NoGap { .. })), "{found:?}");
             let place = Geometry { point: first, inward_normal: normal, finger: cylinder, part };
             assert_eq!(place.relative_curvature().unwrap().smaller, 0.0);
-            let parameter = "smaller relative curvature";
-            assert_eq!(
-                Law::hertz(1.0, &place),
-                Err(ContactError::NotPositive { parameter, value: 0.0 })
-            );
+            let found = Law::hertz(1.0, &place);
+            assert!(matches!(found, Err(ContactError::LineOfContact { .. })), "{found:?}");
         }
 
         // A direction along the normal is none in the tangent plane.
-        let none = Curvature::principal([1.0, 2.0], normal * r.between(0.1, 10.0));
+        let none = Curvature::principal_radii([1.0, 2.0], normal * r.between(0.1, 10.0));
         let found = along(normal, none, Curvature::FLAT, 0.0);
         assert_eq!(found, Err(ContactError::NoPrincipalDirection { body: "finger" }));
 
@@ -324,7 +332,7 @@ fn nearly_straight_boundaries_keep_their_digits() {
     let [x, z] = [[1.0, 0.0, 0.0], [0.0, 0.0, 1.0]].map(Vector::new);
     for exponent in 0..=12 {
         let radius = 10.0_f64.powi(exponent);
-        let finger = Curvature::principal([1.0, radius], x);
+        let finger = Curvature::principal_radii([1.0, radius], x);
         let place = Geometry { point: z, inward_normal: z, finger, part: Curvature::FLAT };
         let law = Law::linear(1.0).unwrap();
         let contact = Contact::<3, 3>::overlapping(place, law, 0.25).unwrap();

@@ -212,3 +212,38 @@ fn quality_is_the_smaller_of_its_two_stiffnesses() {
     assert_eq!(stiff.limited_by, LimitedBy::Translation);
     assert_close(stiff.value, 3.0, 1e-15, 3.0, "sigma_min");
 }
+
+/// Turned about its axis with its pitch, the body answers with a pure couple, `mu_i` times the
+/// turn; far from the origin too.
+fn a_pure_couple_turns_about_each_axis<const N: usize, const M: usize>(seed: u64) {
+    let r = &mut Random::new(seed);
+    for distance in [1.0, 1e3] {
+        for _ in 0..50 {
+            let springs = springs::<N, M>(r);
+            let shift: Vector<N> = r.array(distance).into();
+            let far = moved(&springs, &Frame::<N, M>::at(shift));
+            let about = |origin| assembled::<N, M>(&far, origin);
+            let principal = Principal::near(shift, about).unwrap();
+            for (i, axis) in principal.twist_axes().into_iter().enumerate() {
+                // The velocity of the body near the springs, when it turns about the axis.
+                let arm = Vector::<3>::from_fn(|k| if k < N { shift[k] } else { 0.0 }) - axis.point;
+                let velocity = spatial::cross(axis.direction, arm) + axis.direction * axis.pitch;
+                let twist = Twist::<N, M> {
+                    linear: Vector::from_fn(|k| velocity[k]),
+                    angular: principal.rotational().vectors[i],
+                };
+                let wrench = about(shift).apply(&twist);
+                let (mu, size) = (principal.rotational().values[i], distance * 1e-13);
+                assert!(wrench.force.norm() <= 100.0 * size, "{:?}", wrench.force);
+                let off = wrench.torque - twist.angular * mu;
+                assert!(off.norm() <= 100.0 * size, "{off:?}");
+            }
+        }
+    }
+}
+
+#[test]
+fn a_pure_couple_turns_about_each_axis_in_the_plane_and_in_space() {
+    a_pure_couple_turns_about_each_axis::<2, 1>(61);
+    a_pure_couple_turns_about_each_axis::<3, 3>(62);
+}

@@ -30,7 +30,8 @@ fn a_free_rotation_is_named_with_its_center() {
     let found = Principal::near(Vector::ZERO, about);
     let expected = MetricsError::RotationNotHeld {
         axis: [0.0, 0.0, 1.0],
-        center: [2.0, 1.0, 0.0],
+        point: [2.0, 1.0, 0.0],
+        pitch: 0.0,
         value: 0.0,
         scale: 5.0,
     };

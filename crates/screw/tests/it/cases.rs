@@ -1,6 +1,6 @@
 //! The reference cases of an independent program: changes of frame, screws, rotations.
 
-use clench_screw::{Frame, Mat, Screw, Stiffness, Twist, Vector, Wrench, planar, spatial};
+use clench_screw::{Axis, Frame, Mat, Screw, Stiffness, Twist, Vector, Wrench, planar, spatial};
 use clench_testkit::cases::{Value, array, list, matching, number, numbers, rows};
 use clench_testkit::{assert_all_close, assert_close};
 
@@ -88,7 +88,7 @@ fn check(found: Screw, wanted: &Value, free: &str, i: usize) {
             assert_all_close(&direction.to_array(), &numbers(&wanted["direction"]), DIGITS, &what);
             assert_close(magnitude, number(&wanted["magnitude"]), DIGITS, magnitude, &what);
         }
-        Screw::Axis { direction, point, pitch, magnitude } => {
+        Screw::Axis { axis: Axis { direction, point, pitch }, magnitude } => {
             assert_eq!(kind, "screw", "{what}");
             assert_all_close(&direction.to_array(), &numbers(&wanted["direction"]), DIGITS, &what);
             let expected = numbers(&wanted["point"]);

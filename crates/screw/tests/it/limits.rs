@@ -1,6 +1,6 @@
 //! Degenerate and extreme input, each with its exact answer or error.
 
-use clench_screw::{Cholesky, Mat, Screw, ScrewError, SymmetricEigen, Vector, spatial};
+use clench_screw::{Cholesky, Mat, Screw, ScrewError, SymmetricEigen, Vector, planar, spatial};
 
 #[test]
 fn a_semidefinite_matrix_is_refused_at_the_pivot_that_fails() {
@@ -48,6 +48,7 @@ fn the_zero_matrix_has_the_standard_basis() {
 
 #[test]
 fn no_motion_and_no_load_have_no_screw() {
+    assert_eq!(planar::Twist::ZERO.screw(), Screw::Zero);
     assert_eq!(spatial::Twist::ZERO.screw(), Screw::Zero);
     assert_eq!(spatial::Wrench::ZERO.screw(), Screw::Zero);
 }

@@ -98,7 +98,7 @@ const LEVEL: f64 = 16.0 * f64::EPSILON;
 
 /// A point may be outside a triangle by this share of its height, as a quotient of products of
 /// coordinates that were rounded before.
-const SHARE_ROUNDING: f64 = 1024.0 * f64::EPSILON;
+pub(super) const SHARE_ROUNDING: f64 = 1024.0 * f64::EPSILON;
 
 /// A normal that may separate an ellipsoid from a hull, and the corners of the hull, up to three,
 /// that it would be separated from.

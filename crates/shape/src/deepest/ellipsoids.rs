@@ -4,7 +4,6 @@ use clench_screw::{Cholesky, Mat, Vector};
 
 use super::DeepestPair;
 use crate::Ellipsoid;
-use crate::ellipsoid::direction_of;
 
 /// Newton's steps; with its line search fewer than thirty were ever seen.
 const MAX_STEPS: usize = 100;
@@ -48,7 +47,7 @@ pub(crate) fn deepest_of_ellipsoids<const N: usize>(
 ) -> DeepestPair<N> {
     let pair = Pair { finger, part: Some(part), apart: finger.center() - part.center() };
     let axes = [finger, part].into_iter().flat_map(|body| (0..N).map(|i| body.axes().column(i)));
-    let starts = direction_of(-pair.apart).into_iter().chain(axes.flat_map(|axis| [axis, -axis]));
+    let starts = (-pair.apart).direction().into_iter().chain(axes.flat_map(|axis| [axis, -axis]));
     let least = starts
         .map(|start| pair.trial(pair.minimum(start)))
         .reduce(|best, trial| if trial.overlap < best.overlap { trial } else { best });
@@ -98,7 +97,7 @@ impl<const N: usize> Pair<'_, N> {
         let promised = -at.slope.dot(step);
         let mut share = 1.0;
         for _ in 0..MAX_HALVINGS {
-            let next = self.trial(direction_of(at.normal + step * share)?);
+            let next = self.trial((at.normal + step * share).direction()?);
             let due = SUFFICIENT_DECREASE * share * promised;
             let falls = due > LEVEL * size && next.overlap < at.overlap - due;
             let levels = next.overlap <= at.overlap + LEVEL * size

@@ -8,7 +8,6 @@ use super::DeepestPair;
 use super::convex::{Candidate, least_overlap};
 use super::ellipsoids::normals_at_point;
 use crate::Ellipsoid;
-use crate::ellipsoid::direction_of;
 use crate::hull::{compare, hull, sorted};
 
 /// The deepest pair of two hulls of points.
@@ -45,11 +44,11 @@ fn foot_of_origin(p: Vector<2>, q: Vector<2>) -> (f64, f64, Vector<2>) {
     let side = q - p;
     let length = side.norm();
     let share = if length > 0.0 { -p.dot(side) / (length * length) } else { 0.0 };
-    let outward = direction_of(-planar::quarter_turn(side)).unwrap_or(Vector::new([1.0, 0.0]));
+    let outward = (-planar::quarter_turn(side)).direction().unwrap_or(Vector::new([1.0, 0.0]));
     let depth = outward.dot(p);
     if (depth < 0.0 || length <= 0.0) && !(share > 0.0 && share < 1.0) {
         let (share, end) = if share >= 1.0 { (1.0, q) } else { (0.0, p) };
-        let toward = direction_of(-end).unwrap_or(outward);
+        let toward = (-end).direction().unwrap_or(outward);
         return (share, -end.norm(), toward);
     }
     (share.clamp(0.0, 1.0), depth, outward)
@@ -65,11 +64,11 @@ pub(crate) fn ellipse_and_points(finger: &Ellipsoid<2>, part: &[Vector<2>]) -> D
     let n = part.len();
     let sides: Vec<Vector<2>> = (0..n).map(|i| part[(i + 1) % n] - part[i]).collect();
     let of_corner = |i: usize| {
-        let [before, after] = [(i + n - 1) % n, i].map(|side| direction_of(sides[side]));
+        let [before, after] = [(i + n - 1) % n, i].map(|side| (sides[side]).direction());
         let across = [before, after].map(|side| side.map(planar::quarter_turn));
-        let between = before.zip(after).and_then(|(one, other)| direction_of(other - one));
+        let between = before.zip(after).and_then(|(one, other)| (other - one).direction());
         let starts = across.into_iter().chain([between]).flatten();
-        let first = direction_of(part[i] - finger.center());
+        let first = (part[i] - finger.center()).direction();
         let own = starts.chain(first).flat_map(|start| normals_at_point(finger, part[i], start));
         let own = own.map(|normal| Candidate { normal, feature: vec![part[i]] });
         let side = vec![part[i], part[(i + 1) % n]];

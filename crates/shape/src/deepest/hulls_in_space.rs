@@ -6,10 +6,11 @@ use parry3d_f64::query::details::contact_support_map_support_map;
 use parry3d_f64::shape::SupportMap;
 
 use super::DeepestPair;
-use super::convex::{Candidate, Convex, least_overlap, nearest_to_support, support};
+use super::convex::{
+    Candidate, Convex, SHARE_ROUNDING, least_overlap, nearest_to_support, support,
+};
 use super::ellipsoids::normals_at_point;
 use crate::Ellipsoid;
-use crate::ellipsoid::direction_of;
 
 /// How many points next to the support plane are tried as corners of the feature that touches: a
 /// face, an edge and a vertex of a polytope in general position have three together, and one of
@@ -18,10 +19,6 @@ const CANDIDATES: usize = 9;
 
 /// Rounds of sharpening, each of which starts at what the last one found; two are usual.
 const MAX_ROUNDS: usize = 20;
-
-/// The point of the pair may be outside its feature by this share, since the shares are quotients
-/// of products of coordinates that were rounded before.
-const SHARE_ROUNDING: f64 = 1024.0 * f64::EPSILON;
 
 /// The deepest pair of an ellipsoid, the finger, and the hull of points, of about unit size.
 ///
@@ -33,7 +30,7 @@ pub(crate) fn ellipsoid_and_points(finger: &Ellipsoid<3>, part: &[Vector<3>]) ->
     let overlap = |m: Vector<3>| finger.support(m) + support(part, -m);
     let normals = |m| candidates(finger, part, m).into_iter().map(|one| one.normal).collect();
     let approximate = third_party(&Convex::Ellipsoid(*finger), &Convex::Points(part.to_vec()));
-    let toward = direction_of(part[0] - finger.center());
+    let toward = (part[0] - finger.center()).direction();
     let starts = approximate.into_iter().map(|pair| pair.inward_normal).chain(toward);
     let (_, normal) = sharpened(starts, overlap, normals);
     let mut last = candidates(finger, part, normal);
@@ -72,7 +69,7 @@ pub(crate) fn points_in_space(finger: &[Vector<3>], part: &[Vector<3>]) -> Deepe
         features(&near).into_iter().flat_map(|feature| normals_of(&feature)).collect()
     };
     let approximate = third_party(&Convex::Points(finger.to_vec()), &Convex::Points(part.to_vec()));
-    let toward = direction_of(part[0] - finger[0]).unwrap_or(Vector::new([1.0, 0.0, 0.0]));
+    let toward = (part[0] - finger[0]).direction().unwrap_or(Vector::new([1.0, 0.0, 0.0]));
     let starts = approximate.into_iter().map(|pair| pair.inward_normal).chain([toward]);
     let (depth, inward_normal) = sharpened(starts, overlap, normals);
     let [on_finger, on_part] = touching_points(finger, part, depth, inward_normal)
@@ -118,11 +115,11 @@ fn normals_at_line(
     [from, to]: [Vector<3>; 2],
     m: Vector<3>,
 ) -> Vec<Vector<3>> {
-    let Some(frame) = direction_of(to - from).map(across) else {
+    let Some(frame) = (to - from).direction().map(across) else {
         return Vec::new();
     };
     let flat = |v: Vector<3>| Vector::from_fn(|i| frame[i].dot(v));
-    let Some(start) = direction_of(flat(m)) else {
+    let Some(start) = (flat(m)).direction() else {
         return Vec::new();
     };
     let normals = shadow(body, frame).map(|shadow| normals_at_point(&shadow, flat(from), start));
@@ -158,7 +155,7 @@ fn across(along: Vector<3>) -> [Vector<3>; 2] {
 
 /// The unit vectors across two vectors, unless these are parallel.
 fn both_normals(u: Vector<3>, v: Vector<3>) -> impl Iterator<Item = Vector<3>> {
-    direction_of(spatial::cross(u, v)).into_iter().flat_map(|normal| [normal, -normal])
+    (spatial::cross(u, v)).direction().into_iter().flat_map(|normal| [normal, -normal])
 }
 
 /// A point of the one hull less a point of the other, and the two.
@@ -197,11 +194,11 @@ fn features(near: &[Difference]) -> Vec<Vec<Difference>> {
 /// The normals along which a feature of the polytope of differences may be nearest to the origin.
 fn normals_of(feature: &[Difference]) -> Vec<Vector<3>> {
     match feature {
-        [p] => direction_of(-p.apart).into_iter().collect(),
+        [p] => (-p.apart).direction().into_iter().collect(),
         [p, q] => {
-            let along = direction_of(q.apart - p.apart);
+            let along = (q.apart - p.apart).direction();
             let level = along.map(|along| p.apart - along * along.dot(p.apart));
-            level.and_then(|level| direction_of(-level)).into_iter().collect()
+            level.and_then(|level| (-level).direction()).into_iter().collect()
         }
         [p, q, r] => both_normals(q.apart - p.apart, r.apart - p.apart).collect(),
         _ => Vec::new(),
@@ -260,7 +257,7 @@ fn shares_at(feature: &[Difference], target: Vector<3>) -> Vec<f64> {
 fn third_party(finger: &Convex<3>, part: &Convex<3>) -> Option<DeepestPair<3>> {
     let pose = Pose::IDENTITY;
     let found = contact_support_map_support_map(&pose, finger, part, f64::MAX)?;
-    let inward_normal = direction_of(from_parry(found.normal1))?;
+    let inward_normal = (from_parry(found.normal1)).direction()?;
     inward_normal.is_finite().then(|| DeepestPair {
         depth: -found.dist,
         inward_normal,
@@ -274,7 +271,7 @@ impl SupportMap for Convex<3> {
         let direction = from_parry(direction);
         let point = match self {
             Self::Ellipsoid(body) => {
-                let unit = direction_of(direction).unwrap_or(Vector::new([1.0, 0.0, 0.0]));
+                let unit = direction.direction().unwrap_or(Vector::new([1.0, 0.0, 0.0]));
                 body.center() + body.support_offset(unit)
             }
             Self::Points(points) => points.iter().skip(1).fold(points[0], |best, &point| {

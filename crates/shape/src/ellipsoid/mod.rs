@@ -112,7 +112,7 @@ impl<const N: usize> Ellipsoid<N> {
         if let Some((component, value)) = named.into_iter().find(|(_, value)| !value.is_finite()) {
             return Err(EllipsoidError::DirectionNotFinite { component, value });
         }
-        let unit = direction_of(outward).ok_or(EllipsoidError::ZeroDirection)?;
+        let unit = outward.direction().ok_or(EllipsoidError::ZeroDirection)?;
         Ok(self.boundary(self.axes.transpose() * unit))
     }
 
@@ -209,16 +209,6 @@ impl<const N: usize> Ellipsoid<N> {
 fn across<const N: usize>(m: Vector<N>) -> Mat<N, N> {
     let others = |i: usize| (0..N).filter(|&k| k != i).map(|k| m[k] * m[k]).sum();
     Mat::from_fn(|i, j| if i == j { others(i) } else { -m[i] * m[j] })
-}
-
-/// The unit vector along `v`, whatever the length of `v`; none for zero.
-pub(crate) fn direction_of<const N: usize>(v: Vector<N>) -> Option<Vector<N>> {
-    let largest = v.max_abs();
-    (largest > 0.0).then(|| {
-        // First by the largest component, so that no square leaves the range of numbers.
-        let scaled = Vector::<N>::from_fn(|i| v[i] / largest);
-        scaled * (1.0 / scaled.norm())
-    })
 }
 
 /// The Euclidean length where squares could leave the range of numbers.

@@ -13,13 +13,13 @@ use super::validity::SolidEdge;
 /// of its points is convex: H. Tietze and S. Nakajima, 1928.)
 pub(super) fn is_convex(vertices: &[Vector<3>], faces: &[Face], edges: &[SolidEdge]) -> bool {
     let level = |face: usize| {
-        let corners = faces[face].corners().iter();
+        let corners = faces[face].vertices().iter();
         FLAT_ROUNDING * corners.fold(0.0_f64, |m, &corner| m.max(vertices[corner].max_abs()))
     };
     let below = |face: usize, other: usize| {
         let (normal, point) = (faces[face].inward_normal(), faces[face].point());
         let allowed = -level(face).max(level(other));
-        faces[other].corners().iter().all(|&c| normal.dot(vertices[c] - point) >= allowed)
+        faces[other].vertices().iter().all(|&c| normal.dot(vertices[c] - point) >= allowed)
     };
     let bends_out = |edge: &SolidEdge| {
         let [one, other] = edge.faces;

@@ -15,7 +15,7 @@ pub(super) const FLAT_ROUNDING: f64 = 32.0 * f64::EPSILON;
 /// A flat face: a place for fingers to touch.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Face {
-    corners: Vec<usize>,
+    vertices: Vec<usize>,
     inward_normal: Vector<3>,
     area: f64,
     point: Vector<3>,
@@ -45,13 +45,13 @@ impl Face {
         }
         let (signed_area, point) = moments(&points, normal);
         let inward_normal = if signed_area > 0.0 { -normal } else { normal };
-        Ok(Self { corners: corners.to_vec(), inward_normal, area: signed_area.abs(), point })
+        Ok(Self { vertices: corners.to_vec(), inward_normal, area: signed_area.abs(), point })
     }
 
     /// The numbers of its vertices, counter-clockwise seen from outside.
     #[must_use]
-    pub fn corners(&self) -> &[usize] {
-        &self.corners
+    pub fn vertices(&self) -> &[usize] {
+        &self.vertices
     }
 
     /// The unit normal that points into the solid.
@@ -72,9 +72,9 @@ impl Face {
         self.point
     }
 
-    /// The ends of the edges, in the order of the corners.
+    /// The ends of the edges, in the order of the vertices.
     pub(super) fn edges(&self) -> impl Iterator<Item = [usize; 2]> {
-        edges_of(&self.corners)
+        edges_of(&self.vertices)
     }
 
     /// Whether a point of the face's plane is within its outline.

@@ -126,7 +126,7 @@ impl Polyhedron {
     /// let [o, x, y, z] = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
     /// let solid = Polyhedron::from_triangles(&[[o, y, x], [o, x, z], [o, z, y], [x, y, z]])?;
     /// assert_eq!(solid.vertices().len(), 4);
-    /// assert_eq!(solid.faces()[1].corners(), [0, 2, 3]);
+    /// assert_eq!(solid.faces()[1].vertices(), [0, 2, 3]);
     /// # Ok::<(), clench_shape::PolyhedronError>(())
     /// ```
     pub fn from_triangles(triangles: &[[[f64; 3]; 3]]) -> Result<Self, PolyhedronError> {

@@ -58,12 +58,12 @@ pub(super) fn nearest_place(solid: &Polyhedron, point: Vector<3>) -> FacePlace {
 
 /// What of `face` its point `foot` is.
 fn feature_at(solid: &Polyhedron, face: usize, foot: Vector<3>) -> FaceFeature {
-    let corners = solid.faces[face].corners();
+    let corners = solid.faces[face].vertices();
     let scale = corners.iter().fold(0.0_f64, |m, &c| m.max(solid.vertices[c].max_abs()));
     let rounding = PLACE_ROUNDING * scale;
     let near = |&&corner: &&usize| (solid.vertices[corner] - foot).norm() <= rounding;
     if let Some(&vertex) = corners.iter().find(near) {
-        let meeting = |&face: &usize| solid.faces[face].corners().contains(&vertex);
+        let meeting = |&face: &usize| solid.faces[face].vertices().contains(&vertex);
         return FaceFeature::Vertex {
             vertex,
             faces: (0..solid.faces.len()).filter(meeting).collect(),

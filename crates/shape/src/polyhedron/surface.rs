@@ -41,7 +41,7 @@ impl FaceTree {
         let boxes: Vec<Aabb> = faces
             .iter()
             .map(|face| {
-                let corners = face.corners().iter().map(|&c| to_parry(vertices[c] * scale));
+                let corners = face.vertices().iter().map(|&c| to_parry(vertices[c] * scale));
                 corners.fold(Aabb::new_invalid(), |around, corner| {
                     Aabb::new(around.mins.min(corner), around.maxs.max(corner))
                 })
@@ -126,7 +126,7 @@ pub(super) fn vertex_normals(vertices: &[Vector<3>], faces: &[Face]) -> Vec<Vect
     let mut normals = vec![Vector::ZERO; vertices.len()];
     for face in faces {
         let outward = -face.inward_normal();
-        let corners = face.corners();
+        let corners = face.vertices();
         let n = corners.len();
         for i in 0..n {
             let at = vertices[corners[i]];

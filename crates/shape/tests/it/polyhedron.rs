@@ -19,7 +19,7 @@ fn a_box_has_the_faces_and_the_volume_of_a_box() {
     assert_eq!(part.box_center().to_array(), [0.0; 3]);
     assert_close(part.enclosing_radius(), 14.0_f64.sqrt(), f64::EPSILON, 4.0, "radius");
     let top = &part.faces()[1];
-    assert_eq!((top.area(), top.corners()), (8.0, [4, 5, 6, 7].as_slice()));
+    assert_eq!((top.area(), top.vertices()), (8.0, [4, 5, 6, 7].as_slice()));
     assert_eq!(top.inward_normal().to_array(), [0.0, 0.0, -1.0]);
     assert_eq!(top.point().to_array(), [0.0, 0.0, 3.0]);
 }
