@@ -50,7 +50,7 @@ pub(crate) enum Failure {
     Paper(crate::paper::PaperError),
     /// A number of the guide could not be computed.
     #[error("cannot compute the example of the guide: {0}")]
-    Guide(crate::guide::GuideError),
+    Guide(clench::contact::ContactError),
     /// A figure could not be drawn.
     #[error("cannot draw a figure: {0}")]
     Figure(clench_draw::DrawError),

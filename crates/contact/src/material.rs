@@ -4,8 +4,8 @@ use crate::{ContactError, Elastic};
 
 /// A material with its elastic constants, in SI units.
 ///
-/// The values are typical ones for small strains at room temperature; where a contact matters, use
-/// those of the batch. Rubbers are linear for a few percent of strain only.
+/// The values are typical ones for small strains at room temperature, with a source where there is
+/// one for just these; where a contact matters, use those of the batch. Rubbers are linear for a few percent of strain only.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Material {
     /// The name by which [`Material::named`] finds it.
@@ -38,22 +38,22 @@ impl Units {
 impl Material {
     /// All materials known here.
     pub const ALL: [Self; 16] = [
-        Self::gpa("steel", 207.0, 0.30, "Callister, table B.2: A36 207; 0.30 typical"),
-        Self::gpa("stainless steel", 193.0, 0.29, "Callister, table B.2: 304; 0.27 to 0.30"),
+        Self::gpa("steel", 207.0, 0.30, "Callister, table B.2: A36; 193 to 212"),
+        Self::gpa("stainless steel", 193.0, 0.29, "Callister, table B.2: 304; 193 to 200"),
         Self::gpa("tool steel", 210.0, 0.30, "typical of hardened steels, 200 to 215"),
         Self::gpa("cast iron", 110.0, 0.26, "Callister, table B.2: gray, 66 to 138 by grade"),
-        Self::gpa("aluminum 6061", 69.0, 0.33, "Callister, table B.2; FreeCAD materials"),
-        Self::gpa("aluminum 7075", 71.7, 0.33, "FreeCAD materials, after ASM"),
-        Self::gpa("brass", 101.0, 0.35, "Dowling, table 5.2"),
-        Self::gpa("copper", 115.0, 0.34, "Callister, table B.2: C11000; 0.34 to 0.35"),
-        Self::gpa("titanium", 113.8, 0.342, "Ti-6Al-4V, MatWeb"),
-        Self::gpa("carbide", 630.0, 0.24, "tungsten carbide with cobalt, 550 to 650"),
-        Self::gpa("silicon nitride", 310.0, 0.27, "hot pressed; Callister, table B.2: 304"),
-        Self::gpa("alumina", 375.0, 0.22, "99.5 %; Dowling, table 5.2: 400, 0.22"),
-        Self::gpa("nylon", 2.7, 0.41, "nylon 66, dry; Dowling, table 5.2"),
-        Self::gpa("acetal", 2.66, 0.363, "POM copolymer; FreeCAD materials"),
-        Self::gpa("ptfe", 0.5, 0.46, "Callister, table B.2: 0.40 to 0.55"),
-        Self::gpa("rubber", 0.002, 0.495, "natural, soft; 0.001 to 0.01 by hardness"),
+        Self::gpa("aluminum 6061", 69.0, 0.33, "Callister, table B.2; 68 to 70"),
+        Self::gpa("aluminum 7075", 71.7, 0.33, "FreeCAD materials; 71 to 72"),
+        Self::gpa("brass", 101.0, 0.35, "Dowling, table 5.2; 97 to 115"),
+        Self::gpa("copper", 115.0, 0.34, "Callister, table B.2: C11000; 110 to 130"),
+        Self::gpa("titanium", 113.8, 0.342, "typical of Ti-6Al-4V, 110 to 120"),
+        Self::gpa("carbide", 630.0, 0.24, "typical of tungsten carbide with cobalt, 550 to 650"),
+        Self::gpa("silicon nitride", 310.0, 0.27, "typical of hot pressed, 300 to 320"),
+        Self::gpa("alumina", 400.0, 0.22, "Dowling, table 5.2; 275 to 400 by purity"),
+        Self::gpa("nylon", 2.7, 0.41, "Dowling, table 5.2: 66, dry; half of it when wet"),
+        Self::gpa("acetal", 2.66, 0.363, "FreeCAD materials: POM copolymer; 2.6 to 3.1"),
+        Self::gpa("ptfe", 0.5, 0.46, "Callister, table B.2; 0.40 to 0.55"),
+        Self::gpa("rubber", 0.002, 0.495, "typical of soft natural rubber, 0.001 to 0.01"),
     ];
 
     const fn gpa(name: &'static str, gpa: f64, nu: f64, source: &'static str) -> Self {

@@ -18,15 +18,6 @@ const FORCE: f64 = 50.0;
 /// How much larger the overlap is drawn than it is: at its true size it is thinner than a line.
 const EXAGGERATION: f64 = 400.0;
 
-/// Why the example of the guide could not be computed.
-#[derive(Debug, thiserror::Error)]
-#[non_exhaustive]
-pub(crate) enum GuideError {
-    /// A material, the law or the contact was refused.
-    #[error(transparent)]
-    Contact(#[from] ContactError),
-}
-
 /// The contact under its force.
 #[derive(Debug)]
 pub(crate) struct Example {
@@ -37,7 +28,7 @@ pub(crate) struct Example {
 }
 
 impl Example {
-    pub(crate) fn compute() -> Result<Self, GuideError> {
+    pub(crate) fn compute() -> Result<Self, ContactError> {
         let [ceramic, steel] = MATERIALS.map(|[e, nu]| Elastic::new(e, nu));
         let [tip, end] = RADII.map(Curvature::round);
         let geometry = Geometry {

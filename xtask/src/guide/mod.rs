@@ -5,8 +5,6 @@
 
 mod ball_on_bar;
 
-pub(crate) use ball_on_bar::GuideError;
-
 use crate::failure::Failure;
 use crate::made::{Folder, Mode};
 
