@@ -54,7 +54,8 @@ impl<const N: usize, const M: usize> Contact<N, M> {
     ///
     /// # Errors
     ///
-    /// Those of [`Self::new`], with the overlap in place of the preload.
+    /// Those of [`Self::new`], with the overlap in place of the preload:
+    /// [`ContactError::OverlapBeyondLaw`].
     pub fn overlapping(
         geometry: Geometry<N>,
         law: Law,
@@ -62,7 +63,10 @@ impl<const N: usize, const M: usize> Contact<N, M> {
     ) -> Result<Self, ContactError> {
         let overlap = not_negative("overlap", overlap)?;
         let preload = not_negative("force at the overlap", law.force(overlap))?;
-        within(&law, preload)?;
+        if within(&law, preload).is_err() {
+            let largest = law.overlap(law.largest_force());
+            return Err(ContactError::OverlapBeyondLaw { overlap, largest });
+        }
         let slope = law.slope(overlap);
         Self::at_rest(geometry, law, overlap, preload, slope)
     }
@@ -74,7 +78,7 @@ impl<const N: usize, const M: usize> Contact<N, M> {
         preload: f64,
         slope: f64,
     ) -> Result<Self, ContactError> {
-        positive("slope", slope).map_err(|_| ContactError::NoStiffness { slope })?;
+        positive("slope", slope).map_err(|_| ContactError::NoStiffness { preload, slope })?;
         let overlap = Overlap::new(geometry, depth)?;
         Ok(Self { overlap, law, preload, slope })
     }

@@ -107,6 +107,14 @@ pub enum ContactError {
         /// The law's largest force.
         largest: f64,
     },
+    /// The overlap is more than the law can describe.
+    #[error("the overlap is {overlap}, but the law holds for less than {largest} only")]
+    OverlapBeyondLaw {
+        /// What was found (length).
+        overlap: f64,
+        /// The overlap at the law's largest force (length).
+        largest: f64,
+    },
     /// A gap does not belong to an ellipse.
     #[error(
         "the gap A x^2 + B y^2 has A = {a} and B = {b}, but A has to be the smaller one, and B \
@@ -130,13 +138,15 @@ pub enum ContactError {
     /// The inward normal has no direction.
     #[error("inward normal is zero, so it has no direction")]
     NoNormal,
-    /// Without preload this law has no finite positive slope, so the contact has no stiffness.
+    /// At this preload the law has no finite positive slope, so the contact has no stiffness.
     #[error(
-        "without preload the law's slope is {slope}, so the contact has no stiffness: \
-         give it a positive preload"
+        "with a preload of {preload} the law's slope is {slope}, so the contact has no stiffness: \
+         a nonlinear law needs a positive preload, in the range of numbers"
     )]
     NoStiffness {
-        /// `f'(0)`.
+        /// `f`.
+        preload: f64,
+        /// `f'`.
         slope: f64,
     },
 }

@@ -2,7 +2,7 @@
 
 use clench_screw::{Vector, Wrench};
 
-use crate::{DeadLoad, Grasp, GraspError};
+use crate::{Grasp, GraspError};
 
 /// Relative residual up to which the contact forces count as balanced: half the digits of a
 /// double, so that files may print preloads with eight digits.
@@ -45,11 +45,11 @@ impl<const N: usize, const M: usize> Grasp<N, M> {
     #[must_use]
     pub fn equilibrium(&self) -> Equilibrium<N, M> {
         let residual = self.net_wrench(self.centroid());
-        let arm = |load: &DeadLoad<N>| (load.point - self.centroid()).norm();
         let (mut force, mut torque) = (self.total_preload(), self.total_preload() * self.length());
         for load in self.loads() {
-            force += load.force.norm();
-            torque += load.force.norm() * arm(load);
+            let [load_force, load_torque] = load.sizes(self.centroid());
+            force += load_force;
+            torque += load_torque;
         }
         let relative_force = relative(residual.force, force);
         let relative_torque = relative(residual.torque, torque);

@@ -55,18 +55,31 @@ impl<const N: usize, const M: usize> Grasp<N, M> {
     ///
     /// # Errors
     ///
-    /// [`GraspError::Load`] when a load or its torque about the centroid is not finite.
+    /// [`GraspError::Load`] when a load, or the sum of forces or torques about the centroid up to
+    /// it, is not finite.
     pub fn with_loads(mut self, loads: Vec<DeadLoad<N>>) -> Result<Self, GraspError> {
-        let finite = |load: &DeadLoad<N>| {
-            load.is_finite()
-                && load.stiffness::<M>(self.centroid).is_finite()
-                && load.wrench::<M>(self.centroid).torque.is_finite()
-        };
-        if let Some(load) = loads.iter().position(|load| !finite(load)) {
-            return Err(GraspError::Load { load });
+        let mut sums = [0.0, 0.0];
+        for (load, given) in loads.iter().enumerate() {
+            let sizes = given.sizes(self.centroid);
+            sums = [sums[0] + sizes[0], sums[1] + sizes[1]];
+            let finite = given.point.is_finite() && given.force.is_finite();
+            if !(finite && sums.iter().all(|sum| sum.is_finite())) {
+                return Err(GraspError::Load { load });
+            }
         }
         self.loads = loads;
         Ok(self)
+    }
+
+    /// The same grasp with only those contacts for which `keep` says so, by their numbers.
+    ///
+    /// # Errors
+    ///
+    /// [`GraspError::NoContacts`] when none is left.
+    pub fn retain(&self, keep: impl Fn(usize) -> bool) -> Result<Self, GraspError> {
+        let kept = self.contacts.iter().enumerate().filter(|&(i, _)| keep(i));
+        let kept = kept.map(|(_, contact)| contact.clone()).collect();
+        Self::new(kept)?.with_loads(self.loads.clone())
     }
 
     /// The contacts, in the order given.

@@ -37,8 +37,10 @@ impl<const N: usize> DeadLoad<N> {
         self.force.dot(self.point - displacement.point_to_parent(self.point))
     }
 
-    /// Whether each number is finite.
-    pub(crate) fn is_finite(&self) -> bool {
-        self.point.is_finite() && self.force.is_finite()
+    /// The size of the force, and of its moment about `origin` at most.
+    pub(crate) fn sizes(&self, origin: Vector<N>) -> [f64; 2] {
+        let length = |v: Vector<N>| v.direction().map_or(0.0, |direction| direction.dot(v));
+        let force = length(self.force);
+        [force, force * length(self.point - origin)]
     }
 }

@@ -1,7 +1,7 @@
 //! Which contact forces balance by themselves, and whether the contacts can hold the body.
 
 use faer::Mat;
-use microlp::{ComparisonOp, OptimizationDirection, Problem};
+use microlp::{ComparisonOp, OptimizationDirection, Problem, Variable};
 
 use crate::{Grasp, GraspError};
 
@@ -17,6 +17,14 @@ const ZERO_MARGIN: f64 = 16.0 * f64::EPSILON;
 /// would only spoil the program's scaling.
 const ZERO_COEFFICIENT: f64 = f64::EPSILON;
 
+/// The total of a null vector below this, per contact, is rounding: the vector is one of a basis
+/// that is orthonormal to a few roundings per entry.
+const ZERO_TOTAL: f64 = 16.0 * f64::EPSILON;
+
+/// A share of the total below this is none: the linear programs decide what is feasible to about
+/// this.
+const IDLE_SHARE: f64 = 1e-9;
+
 /// The contact forces that balance by themselves: the null space of the wrench map.
 ///
 /// The wrench map has one column `(n, b x n)` per contact; torques are divided by the grasp's
@@ -31,6 +39,10 @@ pub struct Preloads {
     /// The balanced preload with the largest least force, with total 1, and that least force;
     /// `None` when no balanced preload has a positive total.
     pub best: Option<BestPreload>,
+    /// The contacts that carry no force in any balanced preload of pushing fingers: at rest nothing
+    /// presses them on the part, whatever the preload. Empty when all fingers can press at once,
+    /// and when no balanced preload exists without a pulling finger.
+    pub idle: Vec<usize>,
     /// Whether pushing contacts can resist any wrench: the rank is full and a balanced preload
     /// with all forces positive exists.
     pub force_closure: bool,
@@ -56,8 +68,13 @@ impl<const N: usize, const M: usize> Grasp<N, M> {
         let count = self.contacts().len();
         let (rank, basis) = self.null_space();
         let best = best_preload(&basis)?;
-        let can_press = best.as_ref().is_some_and(|b| b.margin > ZERO_MARGIN * count as f64);
-        Ok(Preloads { rank, force_closure: rank == N + M && can_press, basis, best })
+        let zero = ZERO_MARGIN * count as f64;
+        let can_press = best.as_ref().is_some_and(|b| b.margin > zero);
+        let idle = match &best {
+            Some(best) if best.margin.abs() <= IDLE_SHARE => idle(&basis, best)?,
+            _ => Vec::new(),
+        };
+        Ok(Preloads { rank, force_closure: rank == N + M && can_press, basis, best, idle })
     }
 
     fn null_space(&self) -> (usize, Vec<Vec<f64>>) {
@@ -82,32 +99,84 @@ impl<const N: usize, const M: usize> Grasp<N, M> {
 /// Maximizes the least force over `{B y : sum(B y) = 1}`, a linear program in `y`.
 fn best_preload(basis: &[Vec<f64>]) -> Result<Option<BestPreload>, GraspError> {
     let Some(count) = basis.first().map(Vec::len) else { return Ok(None) };
-    let free = (f64::NEG_INFINITY, f64::INFINITY);
-    let mut program = Problem::new(OptimizationDirection::Maximize);
-    let least = program.add_var(1.0, free);
-    let weights: Vec<_> = basis.iter().map(|_| program.add_var(0.0, free)).collect();
-    let noise = ZERO_COEFFICIENT * count as f64;
-    let clean = |x: f64| if x.abs() > noise { x } else { 0.0 };
+    let mut program = Program::new(basis, |_| 0.0);
+    let least = program.problem.add_var(1.0, FREE);
     for i in 0..count {
-        let mut row: Vec<_> = weights.iter().zip(basis).map(|(&y, b)| (y, clean(b[i]))).collect();
+        let mut row = program.force(basis, i);
         row.push((least, -1.0));
-        program.add_constraint(row.as_slice(), ComparisonOp::Ge, 0.0);
+        program.problem.add_constraint(row.as_slice(), ComparisonOp::Ge, 0.0);
     }
-    let total: Vec<_> =
-        weights.iter().zip(basis).map(|(&y, b)| (y, clean(b.iter().sum()))).collect();
-    program.add_constraint(total.as_slice(), ComparisonOp::Eq, 1.0);
-    let solution = match program.solve().map(microlp::SolveOutcome::into_solution) {
-        Ok(Ok(solution)) => solution,
-        // No combination of the null vectors has a total.
-        Err(microlp::Error::Infeasible) => return Ok(None),
-        _ => return Err(GraspError::Preloads { contacts: count }),
-    };
-
-    let forces: Vec<f64> = (0..count)
-        .map(|i| weights.iter().zip(basis).map(|(&y, b)| solution.var_value(y) * b[i]).sum())
-        .collect();
-    let sum: f64 = forces.iter().sum();
-    let shares: Vec<f64> = forces.iter().map(|force| force / sum).collect();
+    let Some(shares) = program.solve(basis)? else { return Ok(None) };
     let margin = shares.iter().copied().fold(f64::INFINITY, f64::min);
     Ok(Some(BestPreload { shares, margin }))
+}
+
+/// The contacts whose force is 0 in each balanced preload without a pulling finger, of which
+/// `best` is one: a linear program each, the largest force that the contact can have.
+fn idle(basis: &[Vec<f64>], best: &BestPreload) -> Result<Vec<usize>, GraspError> {
+    let count = best.shares.len();
+    let mut idle = Vec::new();
+    for contact in (0..count).filter(|&i| best.shares[i] <= IDLE_SHARE) {
+        let mut program = Program::new(basis, |b| b[contact]);
+        for i in 0..count {
+            let row = program.force(basis, i);
+            program.problem.add_constraint(row.as_slice(), ComparisonOp::Ge, best.margin.min(0.0));
+        }
+        let largest = program.solve(basis)?.map_or(0.0, |shares| shares[contact]);
+        if largest <= IDLE_SHARE {
+            idle.push(contact);
+        }
+    }
+    Ok(idle)
+}
+
+/// A variable without bounds.
+const FREE: (f64, f64) = (f64::NEG_INFINITY, f64::INFINITY);
+
+/// A linear program over the weights `y` of null vectors, with `sum(B y) = 1`.
+struct Program {
+    problem: Problem,
+    weights: Vec<Variable>,
+    noise: f64,
+}
+
+impl Program {
+    /// Maximizes the sum of `value` times the weight over the null vectors.
+    fn new(basis: &[Vec<f64>], value: impl Fn(&[f64]) -> f64) -> Self {
+        let count = basis[0].len() as f64;
+        let mut problem = Problem::new(OptimizationDirection::Maximize);
+        let weights: Vec<_> = basis.iter().map(|b| problem.add_var(value(b), FREE)).collect();
+        let sum = |b: &[f64]| above(b.iter().sum(), ZERO_TOTAL * count);
+        let total: Vec<_> = weights.iter().zip(basis).map(|(&y, b)| (y, sum(b))).collect();
+        problem.add_constraint(total.as_slice(), ComparisonOp::Eq, 1.0);
+        Self { problem, weights, noise: ZERO_COEFFICIENT * count }
+    }
+
+    /// The force of a contact in terms of the weights.
+    fn force(&self, basis: &[Vec<f64>], contact: usize) -> Vec<(Variable, f64)> {
+        let entry = |b: &Vec<f64>| above(b[contact], self.noise);
+        self.weights.iter().zip(basis).map(|(&y, b)| (y, entry(b))).collect()
+    }
+
+    /// The forces at the solution, with the sum 1; `None` when no combination of the null vectors
+    /// has a total.
+    fn solve(self, basis: &[Vec<f64>]) -> Result<Option<Vec<f64>>, GraspError> {
+        let contacts = basis[0].len();
+        let solution = match self.problem.solve().map(microlp::SolveOutcome::into_solution) {
+            Ok(Ok(solution)) => solution,
+            Err(microlp::Error::Infeasible) => return Ok(None),
+            _ => return Err(GraspError::Preloads { contacts }),
+        };
+        let weights = self.weights.iter().map(|&y| solution.var_value(y));
+        let weights: Vec<f64> = weights.collect();
+        let force = |i: usize| weights.iter().zip(basis).map(|(y, b)| y * b[i]).sum::<f64>();
+        let forces: Vec<f64> = (0..contacts).map(force).collect();
+        let sum: f64 = forces.iter().sum();
+        Ok(Some(forces.iter().map(|force| force / sum).collect()))
+    }
+}
+
+/// `value`, or 0 where it is no larger than `noise`.
+fn above(value: f64, noise: f64) -> f64 {
+    if value.abs() > noise { value } else { 0.0 }
 }

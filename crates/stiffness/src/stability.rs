@@ -58,8 +58,15 @@ impl<const N: usize, const M: usize> Grasp<N, M> {
         let length = self.torque_length();
         let unit = |i: usize| if i < N { 1.0 } else { length };
         let size = N + M;
-        let scaled = Mat::from_fn(size, size, |i, j| stiffness.entry(i, j) / unit(i) / unit(j));
-        #[expect(clippy::expect_used, reason = "a grasp's stiffness is finite by construction")]
+        let entry = |i: usize, j: usize| stiffness.entry(i, j) / unit(i) / unit(j);
+        let entries = (0..size).flat_map(|i| (0..size).map(move |j| (i, j)));
+        let size_of_entries = entries.fold(0.0, |m: f64, (i, j)| m.max(entry(i, j).abs()));
+        if size_of_entries <= 0.0 {
+            return Sign::Zero;
+        }
+        // About 1, so that the iteration has all its digits for any stiffness.
+        let scaled = Mat::from_fn(size, size, |i, j| entry(i, j) / size_of_entries);
+        #[expect(clippy::expect_used, reason = "the entries are numbers of magnitude up to 1")]
         let values = scaled
             .self_adjoint_eigenvalues(Side::Lower)
             .expect("the eigenvalues of a finite symmetric matrix converge");

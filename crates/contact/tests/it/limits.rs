@@ -58,11 +58,11 @@ fn a_contact_names_what_is_wrong_with_it() {
 fn a_nonlinear_law_without_preload_has_no_stiffness() {
     let law = Law::power(1.0, 1.5).unwrap();
     let found = contact([0.0, 0.0], [0.0, 1.0], 0.0, &law, 0.0);
-    assert_eq!(found, Err(ContactError::NoStiffness { slope: 0.0 }));
-    assert!(found.unwrap_err().to_string().contains("give it a positive preload"));
+    assert_eq!(found, Err(ContactError::NoStiffness { preload: 0.0, slope: 0.0 }));
+    assert!(found.unwrap_err().to_string().contains("needs a positive preload"));
     let law = Law::power(1.0, 0.5).unwrap();
     let found = contact([0.0, 0.0], [0.0, 1.0], 0.0, &law, 0.0);
-    assert_eq!(found, Err(ContactError::NoStiffness { slope: f64::INFINITY }));
+    assert_eq!(found, Err(ContactError::NoStiffness { preload: 0.0, slope: f64::INFINITY }));
 }
 
 #[test]
@@ -174,7 +174,7 @@ fn hertz_needs_smooth_bodies_and_a_preload() {
     let ball = place(Curvature::round(2.0), Curvature::FLAT);
     let law = Law::hertz(100.0, &ball).unwrap();
     let found = Contact::<3, 3>::new(ball, law, 0.0);
-    assert_eq!(found, Err(ContactError::NoStiffness { slope: 0.0 }));
+    assert_eq!(found, Err(ContactError::NoStiffness { preload: 0.0, slope: 0.0 }));
     let found = Law::hertz(100.0, &place(Curvature::POINTED, Curvature::FLAT));
     assert_eq!(found, Err(ContactError::Pointed { body: "finger" }));
     // A cylinder on a face touches along a line.
@@ -242,9 +242,14 @@ fn the_line_law_ends_at_its_largest_force() {
         let found = Contact::<2, 1>::new(place(), Law::Line(law), beyond);
         assert_eq!(found, Err(ContactError::BeyondLaw { force: beyond, largest }));
     }
-    assert!(Contact::<2, 1>::overlapping(place(), Law::Line(law), 2.0 * end).is_err());
+    let found = Contact::<2, 1>::overlapping(place(), Law::Line(law), 2.0 * end);
+    let Err(ContactError::OverlapBeyondLaw { overlap, largest }) = found else {
+        panic!("{found:?}")
+    };
+    assert_eq!(overlap, 2.0 * end);
+    assert!((largest - end).abs() <= 1e-14 * end);
     let found = Contact::<2, 1>::new(place(), Law::Line(law), 0.0);
-    assert_eq!(found, Err(ContactError::NoStiffness { slope: 0.0 }));
+    assert_eq!(found, Err(ContactError::NoStiffness { preload: 0.0, slope: 0.0 }));
     for (wrong, parameter) in [
         (LineContact { radius: 0.0, ..disc }, "disc radius"),
         (LineContact { thickness: 0.0, ..disc }, "thickness"),

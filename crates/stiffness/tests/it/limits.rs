@@ -34,6 +34,12 @@ fn a_load_that_is_not_finite_is_refused_with_its_number() {
         let found = grasp().with_loads(vec![good, bad]);
         assert_eq!(found, Err(GraspError::Load { load: 1 }));
     }
+    // So large that its square overflows, and two whose sum does.
+    let large = DeadLoad { point: Vector::ZERO, force: Vector::new([0.0, -1e160]) };
+    assert!(!grasp().with_loads(vec![large]).unwrap().equilibrium().holds);
+    let larger = DeadLoad { point: Vector::ZERO, force: Vector::new([0.0, -1e308]) };
+    let found = grasp().with_loads(vec![larger, larger]);
+    assert_eq!(found, Err(GraspError::Load { load: 1 }));
     // One finger carries a weight above it.
     let carried = grasp().with_loads(vec![good]).unwrap();
     assert!(carried.equilibrium().holds);
@@ -49,6 +55,40 @@ fn a_sum_that_overflows_is_refused_with_its_contact() {
     };
     let found = Grasp::new(vec![stiff(), stiff()]);
     assert_eq!(found, Err(GraspError::OutOfRange { contact: 1 }));
+}
+
+#[test]
+fn stiffnesses_of_any_size_are_judged_alike() {
+    for k in [5e-324, 1e-310, 1.0, 1e300] {
+        let finger = |x: f64, y: f64, nx: f64, ny: f64| {
+            let place = Geometry::on_face(Vector::new([x, y]), Vector::new([nx, ny]), 0.0);
+            Contact::<2, 1>::new(place, Law::linear(k).unwrap(), 0.0).unwrap()
+        };
+        let pair = vec![finger(0.0, 1.0, 0.0, -1.0), finger(0.0, -1.0, 0.0, 1.0)];
+        assert_eq!(Grasp::new(pair).unwrap().stability(), Stability::Marginal, "{k:e}");
+    }
+}
+
+/// The only balanced forces have the total zero: one pulls as much as the others press.
+#[test]
+fn forces_that_balance_without_a_total_are_no_preload() {
+    let turned = |angle: f64| {
+        let (s, c) = angle.sin_cos();
+        let finger = |x: f64, normal: f64| {
+            let place = Geometry::on_face(
+                Vector::new([c * x, s * x]),
+                Vector::new([-s * normal, c * normal]),
+                0.0,
+            );
+            Contact::<2, 1>::new(place, Law::linear(1.0).unwrap(), 0.0).unwrap()
+        };
+        // Parallel, at 0, 1 and 3: forces 2, -3 and 1.
+        Grasp::new(vec![finger(0.0, 1.0), finger(1.0, 1.0), finger(3.0, 1.0)]).unwrap()
+    };
+    for i in 0..200 {
+        let preloads = turned(0.031 * f64::from(i)).preloads().unwrap();
+        assert_eq!((preloads.best, preloads.force_closure), (None, false), "{i}");
+    }
 }
 
 /// A load that does nothing, however far away, makes no couple look small.
@@ -129,6 +169,32 @@ fn a_positive_definite_stiffness_is_not_force_closure() {
     // The two that face each other balance alone: the others carry nothing.
     let best = preloads.best.unwrap();
     assert!(best.margin.abs() < 1e-15, "{}", best.margin);
+}
+
+/// A fifth finger that presses on a side with nothing opposite carries nothing in any balance, and
+/// without it the part slides.
+#[test]
+fn a_finger_without_an_opposite_is_idle() {
+    let contacts = vec![
+        finger(3.0, 0.0, 0.0, 1.0, 1.0),
+        finger(7.0, 0.0, 0.0, 1.0, 1.0),
+        finger(3.0, 10.0, 0.0, -1.0, 1.0),
+        finger(7.0, 10.0, 0.0, -1.0, 1.0),
+        finger(0.0, 5.0, 1.0, 0.0, 0.0),
+    ];
+    let grasp = Grasp::new(contacts).unwrap();
+    assert_eq!(grasp.stability(), Stability::FirstOrder);
+    let preloads = grasp.preloads().unwrap();
+    assert_eq!((preloads.idle.as_slice(), preloads.force_closure), ([4].as_slice(), false));
+    let rest = grasp.retain(|contact| !preloads.idle.contains(&contact)).unwrap();
+    assert_eq!(rest.contacts().len(), 4);
+    assert_eq!(rest.stability(), Stability::Marginal);
+    assert_eq!(rest.retain(|_| false), Err(GraspError::NoContacts));
+
+    // With one opposite to it, all press.
+    let mut contacts = grasp.contacts().to_vec();
+    contacts.push(finger(10.0, 5.0, -1.0, 0.0, 0.0));
+    assert!(Grasp::new(contacts).unwrap().preloads().unwrap().idle.is_empty());
 }
 
 #[test]
