@@ -1,18 +1,18 @@
 //! `clench analyze`: what a given grasp is worth.
 
-use clench::contact::Order;
-use clench::metrics::{MetricsError, Principal, Quality, WorstPoint};
+use clench::contact::{Contact, Order};
+use clench::metrics::{MetricsError, Principal};
 use clench::screw::{Stiffness, Vector};
-use clench::shape::Polygon;
-use clench::stiffness::{Equilibrium, Grasp, Preloads, Stability};
+use clench::stiffness::{Equilibrium, Grasp, Preloads};
 use clench_draw::GraspPicture;
 
 use crate::answer::Answer;
 use crate::arguments::{AnalyzeArguments, Format, OrderArgument};
 use crate::failure::Failure;
-use crate::input::{self, Document, FileGrasp, Part, PlanarShape, Touch, schema};
+use crate::held::{Classes, Metrics, NotHeld, Slack, held};
+use crate::input::{self, Document, FileGrasp, Part, Piece, PlanarShape, schema};
 use crate::picture;
-use crate::report::{self, AnalysisReport, AnalysisText};
+use crate::report::{self, AnalysisReport, AnalysisText, QualityReport};
 use crate::view::View;
 
 /// All that is known of a grasp, in the frame of the file.
@@ -20,7 +20,7 @@ use crate::view::View;
 pub(crate) struct Analysis<'a, const N: usize, const M: usize> {
     pub(crate) units: &'a schema::Units,
     pub(crate) grasp: &'a Grasp<N, M>,
-    pub(crate) touches: &'a [Touch<N>],
+    pub(crate) pieces: &'a [Option<Piece>],
     /// The size of the part: a radius.
     pub(crate) size: f64,
     /// The frame to write it in.
@@ -29,45 +29,13 @@ pub(crate) struct Analysis<'a, const N: usize, const M: usize> {
     /// Whether the order follows from the grasp rather than from the command line.
     pub(crate) order_chosen: bool,
     pub(crate) equilibrium: Equilibrium<N, M>,
-    pub(crate) stability: Stability,
+    pub(crate) classes: Classes,
     pub(crate) preloads: Preloads,
+    /// Whether loads press the part on its fingers: some act, and all balances.
+    pub(crate) loaded: bool,
+    pub(crate) slack: Option<Slack>,
     /// The numbers that a grasp has if it holds the part.
-    pub(crate) metrics: Result<Metrics<N, M>, MetricsError>,
-}
-
-/// The principal stiffnesses, and what the shape of the part makes of them.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Metrics<const N: usize, const M: usize> {
-    pub(crate) principal: Principal<N, M>,
-    /// Only an outline has one so far.
-    pub(crate) quality: Option<OutlineQuality>,
-}
-
-/// The quality of a grasp of an outline, and its worst point.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct OutlineQuality {
-    pub(crate) quality: Quality,
-    pub(crate) farthest: Vector<2>,
-    pub(crate) worst: WorstPoint,
-    pub(crate) worst_point: Vector<2>,
-}
-
-impl OutlineQuality {
-    fn of(principal: &Principal<2, 1>, outline: &Polygon) -> Result<Self, MetricsError> {
-        let quality = Quality::of(principal, outline);
-        let worst = WorstPoint::of(principal, outline)?;
-        let [farthest, worst_point] =
-            [quality.reach.corner, worst.corner].map(|corner| outline.corners()[corner]);
-        Ok(Self { quality, farthest, worst, worst_point })
-    }
-}
-
-/// The principal stiffnesses of a grasp, formed near the part.
-pub(crate) fn principal<const N: usize, const M: usize>(
-    grasp: &Grasp<N, M>,
-    order: Order,
-) -> Result<Principal<N, M>, MetricsError> {
-    Principal::near(grasp.centroid(), |origin| grasp.stiffness(origin, order))
+    pub(crate) metrics: Result<Metrics<N, M>, NotHeld>,
 }
 
 impl<const N: usize, const M: usize> Analysis<'_, N, M> {
@@ -97,17 +65,23 @@ pub(crate) fn analyze(arguments: &AnalyzeArguments) -> Result<Answer, Failure> {
         Part::Planar(body) => {
             let found = input::planar_grasp(&document, &file, &body)?;
             let view = View::planar(frame)?;
-            let analysis = question.analysis(&found, view, |principal| match &body.shape {
-                PlanarShape::Outline(outline) => OutlineQuality::of(principal, outline).map(Some),
+            let quality = |principal: &Principal<2, 1>| match &body.shape {
+                PlanarShape::Outline(outline) => {
+                    QualityReport::of(principal, outline, &view).map(Some)
+                }
                 PlanarShape::Ellipse(_) => Ok(None),
-            })?;
+            };
+            let analysis = question.analysis(&found, view.clone(), quality)?;
             let picture = picture::of_analysis(&analysis, &body.shape);
-            question.answer(&analysis, Some(picture))
+            question.answer(&analysis, Some(picture), |_| None)
         }
         Part::Spatial(body) => {
             let found = input::spatial_grasp(&document, &file, &body)?;
             let analysis = question.analysis(&found, View::spatial(frame)?, |_| Ok(None))?;
-            question.answer(&analysis, None)
+            question.answer(&analysis, None, |contact| {
+                let curvature = contact.overlap().geometry().relative_curvature().ok()?;
+                Some(curvature.along)
+            })
         }
     }
 }
@@ -117,7 +91,7 @@ impl<'a> Question<'a> {
         &self,
         found: &'a FileGrasp<N, M>,
         view: View<N, M>,
-        quality: impl FnOnce(&Principal<N, M>) -> Result<Option<OutlineQuality>, MetricsError>,
+        quality: impl FnOnce(&Principal<N, M>) -> Result<Option<QualityReport>, MetricsError>,
     ) -> Result<Analysis<'a, N, M>, Failure> {
         let grasp = &found.grasp;
         let equilibrium = grasp.equilibrium();
@@ -128,21 +102,28 @@ impl<'a> Question<'a> {
             Some(OrderArgument::First) | None => Order::First,
         };
         let name = || self.document.name().to_owned();
+        let preloads = grasp.preloads();
+        let preloads = preloads.map_err(|source| Failure::Preloads { name: name(), source })?;
+        let loads = grasp.loads().iter().any(|load| load.force.max_abs() > 0.0);
+        let loaded = loads && equilibrium.holds;
+        let classes = Classes::of(grasp);
         Ok(Analysis {
             units: self.units,
             grasp,
-            touches: &found.touches,
+            pieces: &found.pieces,
             size: found.radius,
             view,
             order,
             order_chosen: self.arguments.order.is_none(),
             equilibrium,
-            stability: grasp.stability(),
-            preloads: grasp
-                .preloads()
-                .map_err(|source| Failure::Preloads { name: name(), source })?,
-            metrics: principal(grasp, order)
-                .and_then(|principal| Ok(Metrics { quality: quality(&principal)?, principal })),
+            classes,
+            slack: Slack::of(grasp, &preloads, order, loaded),
+            preloads,
+            loaded,
+            metrics: held(grasp, order, classes.to_order(order)).and_then(|principal| {
+                let quality = quality(&principal).map_err(NotHeld::One)?;
+                Ok(Metrics { principal, quality })
+            }),
         })
     }
 
@@ -150,8 +131,9 @@ impl<'a> Question<'a> {
         &self,
         analysis: &Analysis<'_, N, M>,
         picture: Option<GraspPicture>,
+        longest_along: impl Fn(&Contact<N, M>) -> Option<Vector<N>>,
     ) -> Result<Answer, Failure> {
-        let report = AnalysisReport::new(analysis);
+        let report = AnalysisReport::new(analysis, longest_along);
         let text = match self.arguments.output.format {
             Format::Text => {
                 AnalysisText { name: self.document.name(), report: &report }.to_string()

@@ -6,13 +6,12 @@ use std::path::PathBuf;
 use clap::error::ErrorKind;
 use clap::{Args, CommandFactory, Parser, Subcommand, ValueEnum};
 
-const FILE: &str = "\
-A part file, in TOML (or the same in JSON):
+const FILE: &str = r#"A part file, in TOML (or the same in JSON):
 
-  units = { length = \"mm\", force = \"N\" }  # of all numbers; any names; L and F if left out
+  units = { length = "mm", force = "N" }     # of all numbers; any names; L and F if left out
 
   [part.planar]
-  outline = [[0, 0], [13, 0], [9, 8], [2, 6]]  # corners, either way round
+  outline = [[0, 0], [13, 0], [9, 8], [2, 6]] # corners, either way round
   stiffness = 1.0                            # of a contact on each edge; or a list, one per edge
 
 `analyze` knows more parts, one shape each:
@@ -22,21 +21,22 @@ A part file, in TOML (or the same in JSON):
   [part.spatial]
   vertices = [[0, 0, 0], ..]                 # with
   faces = [[0, 3, 2, 1], ..]                 # counter-clockwise seen from outside; or
-  mesh = \"bracket.stl\"                      # STL or OBJ, beside this file; or
+  mesh = "bracket.stl"                       # STL or OBJ, beside this file; or
   ellipsoid = [30, 20, 15]
 
 A grasp file has contacts besides:
 
   [[contacts]]
-  point = [6.5, 0]                           # or the center of a round finger, without a preload
-  preload = 2.0                              # 0 if left out
-  finger = { radius = 0.5 }                  # a pointed finger if left out; in space also
-  # finger = { curvatures = [0.1, 0], direction = [1, 0, 0] }
-  law = { kind = \"linear\", stiffness = 3.0 } # that of the part if left out; or
-  # law = { kind = \"power\", coefficient = 3.0, exponent = 1.5 }
-  # law = { kind = \"hertz\", finger = \"tool steel\", part = \"aluminium 6061\" }
+  point = [6, 0]                             # or the center of a round finger, without a preload
+  preload = 9.81                             # 0 if left out
   edge = 0                                   # or face; needed where several meet; or
   # inward_normal = [0, 1]
+  finger = { radius = 0.5 }                  # a pointed finger if left out; in space also
+  # finger = { curvatures = [0.1, 0], direction = [1, 0, 0] }
+  law = { kind = "linear", stiffness = 3.0 } # that of the part if left out; or
+  # law = { kind = "power", coefficient = 3.0, exponent = 1.5 }
+  # law = { kind = "hertz", finger = "steel", part = "aluminum 6061", relative_radius = 0.5 }
+  # law = { kind = "line", thickness = 5, reference_depth = 4, finger = "steel", part = "ptfe" }
 
   [[loads]]                                  # such as the weight
   point = [6, 4]
@@ -55,7 +55,7 @@ Examples:
   clench optimize bracket.toml --fingers 4 --svg bracket.svg
   clench optimize bracket.toml --fingers 3 --preload 200 --format json > grasp.json
   clench analyze grasp.json --frame 20,10,0.5
-  clench analyze cube-grasp.toml --frame 50,50,50,0,0,0";
+  clench analyze cube-grasp.toml --frame 50,50,50,0,0,0"#;
 
 /// How well a compliant grasp or fixture holds a part, and where to put the fingers.
 ///

@@ -49,13 +49,13 @@ pub(crate) enum Failure {
     Json(#[from] serde_json::Error),
     /// Numbers that the search cannot work with.
     #[error("{name}: {source}")]
-    Search { name: String, source: OptimizeError },
+    Search { name: String, source: Box<OptimizeError> },
     /// A question about the preloads that was not decided.
     #[error("{name}: {source}")]
     Preloads { name: String, source: GraspError },
     /// A result out of the range of the numbers.
     #[error("{name}: {source}; choose units in which lengths and forces are nearer to 1")]
-    Range { name: String, source: OutOfRange },
+    Range { name: String, source: Box<OutOfRange> },
 }
 
 impl Failure {

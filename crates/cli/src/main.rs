@@ -5,6 +5,8 @@ mod arguments;
 mod analyze;
 mod optimize;
 
+mod held;
+
 mod answer;
 mod failure;
 

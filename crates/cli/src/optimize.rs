@@ -6,10 +6,10 @@ use clench::optimize::polygon::{FourFingers, Part, ThreeFingers, four_fingers, t
 use clench::optimize::{OptimizeError, Outcome, Solution};
 use clench::stiffness::{Grasp, GraspError};
 
-use crate::analyze::principal;
 use crate::answer::Answer;
 use crate::arguments::{Fingers, Format, OptimizeArguments};
 use crate::failure::Failure;
+use crate::held::principal;
 use crate::input::{self, Document, schema};
 use crate::picture;
 use crate::progress::ProgressLine;
@@ -50,9 +50,15 @@ pub(crate) fn optimize(arguments: &OptimizeArguments) -> Result<Answer, Failure>
             e @ (OptimizeError::NormalsNeverBalance { .. }
             | OptimizeError::TorquesNeverBalance { .. }),
         ) => return unanswered(arguments, &question, &part, &e),
-        Err(source) => return Err(Failure::Search { name: document.name().to_owned(), source }),
+        Err(error) => {
+            let (name, source) = (document.name().to_owned(), Box::new(error));
+            return Err(Failure::Search { name, source });
+        }
     };
-    let range = |source| Failure::Range { name: document.name().to_owned(), source };
+    let range = |error| {
+        let (name, source) = (document.name().to_owned(), Box::new(error));
+        Failure::Range { name, source }
+    };
     let best = examine(&part, &outcome.best, arguments).map_err(range)?;
     let others = outcome.others.iter().map(|other| examine(&part, other, arguments));
     let others = others.collect::<Result<Vec<_>, _>>().map_err(range)?;

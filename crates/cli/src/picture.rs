@@ -6,7 +6,7 @@ use clench::shape::{Ellipsoid, Polygon};
 use clench_draw::{Finger, GraspPicture, Mark};
 
 use crate::analyze::Analysis;
-use crate::input::{PieceKind, PlanarShape};
+use crate::input::{Piece, PlanarShape};
 use crate::report::{LimitWord, OptimumReport, UnitNames, spot};
 
 /// Outlines with more corners, such as flattened arcs, are drawn without their numbers.
@@ -77,6 +77,10 @@ pub(crate) fn of_analysis(analysis: &Analysis<'_, 2, 1>, shape: &PlanarShape) ->
         PlanarShape::Ellipse(ellipse) => of_ellipse(ellipse),
     };
     let mut picture = held(analysis, picture);
+    if let (PlanarShape::Outline(outline), Ok(metrics)) = (shape, &analysis.metrics) {
+        let farthest = metrics.quality.as_ref().map(|quality| quality.reach.corner);
+        picture.farthest_corner = farthest.map(|corner| outline.corners()[corner].to_array());
+    }
     let contacts = analysis.grasp.contacts();
     let fingers = contacts.iter().enumerate().map(|(i, contact)| Finger {
         point: contact.overlap().point().to_array(),
@@ -91,8 +95,7 @@ pub(crate) fn of_analysis(analysis: &Analysis<'_, 2, 1>, shape: &PlanarShape) ->
     });
     picture.fingers = fingers.collect();
     let points = contacts.iter().map(|contact| contact.overlap().point().to_array());
-    let edge = |piece: Option<(PieceKind, usize)>| piece.map(|(_, number)| number);
-    let edges = analysis.touches.iter().map(|touch| edge(touch.piece));
+    let edges = analysis.pieces.iter().map(|piece| piece.map(|Piece { number, .. }| number));
     picture.caption.extend(placed(edges.zip(points), analysis.size, units));
     picture
 }
@@ -105,28 +108,27 @@ fn held(analysis: &Analysis<'_, 2, 1>, picture: GraspPicture) -> GraspPicture {
     };
     let principal = &metrics.principal;
     let center = principal.center().to_array();
-    let Some(found) = &metrics.quality else {
+    let sigma_min = principal.translational().values[0];
+    let Some(quality) = &metrics.quality else {
         let caption = vec![
-            format!("σ_{{min}} = {}", units.stiffness(principal.translational().values[0])),
+            format!("σ_{{min}} = {}", units.stiffness(sigma_min)),
             format!("μ = {}", units.torque(principal.rotational().values[0])),
             String::new(),
         ];
         let center = Some(Mark { point: center, label: "c".to_owned() });
         return GraspPicture { center, caption, ..picture };
     };
-    let quality = found.quality;
     let numbers = Numbers {
-        quality: quality.value,
-        limited_by: quality.limited_by.into(),
-        sigma_min: quality.translational,
-        mu_eq: quality.equivalent,
+        quality: quality.quality,
+        limited_by: quality.limited_by,
+        sigma_min,
+        mu_eq: quality.mu_eq,
         center,
         reach: quality.reach.distance,
         corner: quality.reach.corner,
-        worst_point_stiffness: found.worst.stiffness,
+        worst_point_stiffness: quality.worst_point_stiffness,
     };
     let mut picture = numbers.drawn_on(picture, units);
-    picture.farthest_corner = Some(found.farthest.to_array());
     picture.caption.push(String::new());
     picture
 }

@@ -1,6 +1,6 @@
 //! The frame that a report is written in.
 
-use clench::screw::{Frame, Vector, planar, spatial};
+use clench::screw::{Axis, Frame, Vector, planar, spatial};
 
 use crate::arguments::FrameArgument;
 use crate::failure::Failure;
@@ -59,21 +59,36 @@ impl<const N: usize, const M: usize> View<N, M> {
 
     /// A point in this frame.
     pub(crate) fn point(&self, point: Vector<N>) -> Vec<f64> {
-        plain(self.frame.point_in_frame(point))
+        components(self.frame.point_in_frame(point))
     }
 
     /// A direction along the axes of this frame.
     pub(crate) fn direction(&self, direction: Vector<N>) -> Vec<f64> {
-        plain(self.frame.direction_in_frame(direction))
+        components(self.frame.direction_in_frame(direction))
     }
 
     /// The rotation, angular velocity or torque `turning` along the axes of this frame.
     pub(crate) fn turning(&self, turning: Vector<M>) -> Vec<f64> {
-        plain(self.frame.spin().transpose() * turning)
+        components(self.frame.spin().transpose() * turning)
+    }
+
+    /// The axis in this frame: its direction, which in the plane is that of z, and its point
+    /// nearest to the origin.
+    pub(crate) fn axis(&self, axis: &Axis) -> (Vec<f64>, Vec<f64>) {
+        let turning = self.turning(Vector::from_fn(|i| axis.direction[i + 3 - M]));
+        let mut direction = vec![0.0; 3 - M];
+        direction.extend(turning);
+        let point = self.frame.point_in_frame(Vector::from_fn(|i| axis.point[i]));
+        let along = Vector::from_fn(|i| direction[i]);
+        (direction, components(point - along * along.dot(point)))
     }
 }
 
-/// The components, zero without a sign.
-fn plain<const D: usize>(vector: Vector<D>) -> Vec<f64> {
-    vector.to_array().map(|component| component + 0.0).to_vec()
+/// The number, zero without a sign.
+pub(crate) fn plain(value: f64) -> f64 {
+    value + 0.0
+}
+
+fn components<const D: usize>(vector: Vector<D>) -> Vec<f64> {
+    vector.to_array().map(plain).to_vec()
 }

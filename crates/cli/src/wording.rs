@@ -3,6 +3,9 @@
 /// Numbers with these powers of ten are written without a power.
 const PLAIN_POWERS: std::ops::Range<i32> = -4..7;
 
+/// More characters of a text than this are not quoted.
+const LONGEST_TEXT: usize = 40;
+
 /// `value` with six significant digits; JSON has all of them.
 pub(crate) fn digits(value: f64) -> String {
     significant(value, 6)
@@ -18,6 +21,19 @@ pub(crate) fn precise_digits(value: f64) -> String {
 pub(crate) fn counted(count: usize, thing: &str) -> String {
     let plural = if count == 1 { "" } else { "s" };
     format!("{count} {thing}{plural}")
+}
+
+/// `value` with two significant digits, for shares that only have to be small.
+pub(crate) fn rough_digits(value: f64) -> String {
+    significant(value, 2)
+}
+
+/// As much of a text of a file as a message quotes.
+pub(crate) fn quoted(text: &str) -> String {
+    match text.char_indices().nth(LONGEST_TEXT) {
+        Some((end, _)) => format!("`{}…`", text[..end].escape_debug()),
+        None => format!("`{}`", text.escape_debug()),
+    }
 }
 
 fn significant(value: f64, count: u8) -> String {

@@ -23,7 +23,7 @@ const ZERO_TOTAL: f64 = 16.0 * f64::EPSILON;
 
 /// A share of the total below this is none: the linear programs decide what is feasible to about
 /// this.
-const IDLE_SHARE: f64 = 1e-9;
+const NO_SHARE: f64 = 1e-9;
 
 /// The contact forces that balance by themselves: the null space of the wrench map.
 ///
@@ -39,10 +39,10 @@ pub struct Preloads {
     /// The balanced preload with the largest least force, with total 1, and that least force;
     /// `None` when no balanced preload has a positive total.
     pub best: Option<BestPreload>,
-    /// The contacts that carry no force in any balanced preload of pushing fingers: at rest nothing
-    /// presses them on the part, whatever the preload. Empty when all fingers can press at once,
-    /// and when no balanced preload exists without a pulling finger.
-    pub idle: Vec<usize>,
+    /// The contacts whose push no forces of the others balance, wherever along their faces the
+    /// fingers are: whatever the preload, nothing presses these on the part. Empty with force
+    /// closure.
+    pub unopposed: Vec<usize>,
     /// Whether pushing contacts can resist any wrench: the rank is full and a balanced preload
     /// with all forces positive exists.
     pub force_closure: bool,
@@ -66,31 +66,29 @@ impl<const N: usize, const M: usize> Grasp<N, M> {
     /// solver does not find.
     pub fn preloads(&self) -> Result<Preloads, GraspError> {
         let count = self.contacts().len();
-        let (rank, basis) = self.null_space();
+        let (rank, basis) = self.null_space(N + M);
         let best = best_preload(&basis)?;
-        let zero = ZERO_MARGIN * count as f64;
-        let can_press = best.as_ref().is_some_and(|b| b.margin > zero);
-        let idle = match &best {
-            Some(best) if best.margin.abs() <= IDLE_SHARE => idle(&basis, best)?,
-            _ => Vec::new(),
-        };
-        Ok(Preloads { rank, force_closure: rank == N + M && can_press, basis, best, idle })
+        let can_press = best.as_ref().is_some_and(|b| b.margin > ZERO_MARGIN * count as f64);
+        let unopposed =
+            if can_press { Vec::new() } else { unopposed(&self.null_space(N).1, count)? };
+        Ok(Preloads { rank, force_closure: rank == N + M && can_press, basis, best, unopposed })
     }
 
-    fn null_space(&self) -> (usize, Vec<Vec<f64>>) {
+    /// The rank and the null vectors of the first `rows` of the wrench map: of all, or of the
+    /// forces alone.
+    fn null_space(&self, rows: usize) -> (usize, Vec<Vec<f64>>) {
         let count = self.contacts().len();
         let length = self.torque_length();
         let columns: Vec<_> =
             self.contacts().iter().map(|c| c.unit_wrench(self.centroid())).collect();
-        let map = Mat::from_fn(N + M, count, |i, j| {
+        let map = Mat::from_fn(rows, count, |i, j| {
             if i < N { columns[j].force[i] } else { columns[j].torque[i - N] / length }
         });
         #[expect(clippy::expect_used, reason = "a grasp's wrench map is finite by construction")]
         let svd = map.svd().expect("the singular values of a finite matrix converge");
         let values = svd.S().column_vector();
-        let count_of_values = count.min(N + M);
-        let zero = ZERO_SINGULAR_VALUE * (count + N + M) as f64 * values[0];
-        let rank = (0..count_of_values).filter(|&i| values[i] > zero).count();
+        let zero = ZERO_SINGULAR_VALUE * (count + rows) as f64 * values[0];
+        let rank = (0..count.min(rows)).filter(|&i| values[i] > zero).count();
         let null = (rank..count).map(|j| (0..count).map(|i| svd.V()[(i, j)]).collect()).collect();
         (rank, null)
     }
@@ -111,23 +109,26 @@ fn best_preload(basis: &[Vec<f64>]) -> Result<Option<BestPreload>, GraspError> {
     Ok(Some(BestPreload { shares, margin }))
 }
 
-/// The contacts whose force is 0 in each balanced preload without a pulling finger, of which
-/// `best` is one: a linear program each, the largest force that the contact can have.
-fn idle(basis: &[Vec<f64>], best: &BestPreload) -> Result<Vec<usize>, GraspError> {
-    let count = best.shares.len();
-    let mut idle = Vec::new();
-    for contact in (0..count).filter(|&i| best.shares[i] <= IDLE_SHARE) {
-        let mut program = Program::new(basis, |b| b[contact]);
-        for i in 0..count {
-            let row = program.force(basis, i);
-            program.problem.add_constraint(row.as_slice(), ComparisonOp::Ge, best.margin.min(0.0));
-        }
-        let largest = program.solve(basis)?.map_or(0.0, |shares| shares[contact]);
-        if largest <= IDLE_SHARE {
-            idle.push(contact);
+/// The contacts of `count` that carry nothing in any combination of null vectors without a pulling
+/// finger: a linear program each, the largest share that the contact can have.
+fn unopposed(basis: &[Vec<f64>], count: usize) -> Result<Vec<usize>, GraspError> {
+    let mut found = Vec::new();
+    for contact in 0..count {
+        let largest = if basis.is_empty() { 0.0 } else { largest_share(basis, contact)? };
+        if largest <= NO_SHARE {
+            found.push(contact);
         }
     }
-    Ok(idle)
+    Ok(found)
+}
+
+fn largest_share(basis: &[Vec<f64>], contact: usize) -> Result<f64, GraspError> {
+    let mut program = Program::new(basis, |b| b[contact]);
+    for i in 0..basis[0].len() {
+        let row = program.force(basis, i);
+        program.problem.add_constraint(row.as_slice(), ComparisonOp::Ge, 0.0);
+    }
+    Ok(program.solve(basis)?.map_or(0.0, |shares| shares[contact]))
 }
 
 /// A variable without bounds.

@@ -45,13 +45,26 @@ impl<const N: usize, const M: usize> Grasp<N, M> {
     /// fingers can only push is not looked at: see [`Grasp::preloads`].
     #[must_use]
     pub fn stability(&self) -> Stability {
-        let smallest = |order| self.smallest_sign(&self.stiffness(self.centroid(), order));
-        match (smallest(Order::Second), smallest(Order::First)) {
+        match (self.class(Order::Second), self.class(Order::First)) {
             (Sign::Positive, Sign::Positive) => Stability::FirstOrder,
             (Sign::Positive, _) => Stability::SecondOrder,
             (Sign::Zero, _) => Stability::Marginal,
             (Sign::Negative, _) => Stability::Unstable,
         }
+    }
+
+    /// The class that springs in place of the contacts would have: by the sign of `K_1` alone,
+    /// which is never negative.
+    #[must_use]
+    pub fn first_order_stability(&self) -> Stability {
+        match self.class(Order::First) {
+            Sign::Positive => Stability::FirstOrder,
+            Sign::Zero | Sign::Negative => Stability::Marginal,
+        }
+    }
+
+    fn class(&self, order: Order) -> Sign {
+        self.smallest_sign(&self.stiffness(self.centroid(), order))
     }
 
     fn smallest_sign(&self, stiffness: &Stiffness<N, M>) -> Sign {

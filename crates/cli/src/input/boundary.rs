@@ -13,11 +13,18 @@ pub(crate) enum PieceKind {
     Face,
 }
 
+/// One edge or face.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Piece {
+    pub(crate) kind: PieceKind,
+    pub(crate) number: usize,
+}
+
 /// A place of the boundary where a finger may press.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Seat<const N: usize> {
     /// The edge or face; none of a smooth part.
-    pub(super) piece: Option<usize>,
+    pub(super) piece: Option<Piece>,
     pub(super) point: Vector<N>,
     pub(super) inward_normal: Vector<N>,
     pub(super) curvature: Curvature<N>,
@@ -29,7 +36,7 @@ pub(super) struct Foot<const N: usize> {
     pub(super) point: Vector<N>,
     /// Negative inside the part.
     pub(super) signed_distance: f64,
-    pub(super) piece: Option<usize>,
+    pub(super) piece: Option<Piece>,
 }
 
 /// The boundary of a part.
@@ -57,20 +64,9 @@ impl Boundary<2> for Polygon {
     }
 
     fn foot(&self, point: Vector<2>) -> Foot<2> {
-        let place = self.place(point);
-        let edges = self.edges();
-        let edge = &edges[place.edge];
-        let foot = edge.point_at(place.along);
-        // At a corner both edges see the point on the same side, unless it is straight ahead of
-        // one of them.
-        let before = &edges[(place.edge + edges.len() - 1) % edges.len()];
-        let inward = match place.corner {
-            Some(_) => edge.inward_normal() + before.inward_normal(),
-            None => edge.inward_normal(),
-        };
-        let inside = inward.dot(point - foot) > 0.0;
-        let signed_distance = if inside { -place.distance } else { place.distance };
-        Foot { point: foot, signed_distance, piece: Some(place.edge) }
+        let (place, signed_distance) = (self.place(point), self.signed_distance(point));
+        let foot = self.edges()[place.edge].point_at(place.along);
+        Foot { point: foot, signed_distance, piece: Some(edge(place.edge)) }
     }
 
     fn seats(&self, point: Vector<2>, within: f64) -> Vec<Seat<2>> {
@@ -78,7 +74,7 @@ impl Boundary<2> for Polygon {
             (nearest_between([edge.start(), edge.end()], point) - point).norm() <= within
         };
         let edges = self.edges().iter().enumerate().filter(|(_, edge)| near(edge));
-        edges.map(|(piece, edge)| flat_seat(piece, point, edge.inward_normal())).collect()
+        edges.map(|(i, side)| flat_seat(edge(i), point, side.inward_normal())).collect()
     }
 }
 
@@ -93,7 +89,7 @@ impl Boundary<3> for Polyhedron {
 
     fn foot(&self, point: Vector<3>) -> Foot<3> {
         let (place, signed_distance) = (self.place(point), self.signed_distance(point));
-        Foot { point: place.foot, signed_distance, piece: Some(place.face) }
+        Foot { point: place.foot, signed_distance, piece: Some(face(place.face)) }
     }
 
     fn seats(&self, point: Vector<3>, within: f64) -> Vec<Seat<3>> {
@@ -105,8 +101,8 @@ impl Boundary<3> for Polyhedron {
             Some(near) => faces_at(&self.place(near).on, place.face),
             None => vec![place.face],
         };
-        let normal = |face: usize| self.faces()[face].inward_normal();
-        faces.into_iter().map(|face| flat_seat(face, point, normal(face))).collect()
+        let normal = |i: usize| self.faces()[i].inward_normal();
+        faces.into_iter().map(|i| flat_seat(face(i), point, normal(i))).collect()
     }
 }
 
@@ -140,7 +136,15 @@ impl<const N: usize> Boundary<N> for Ellipsoid<N> {
     }
 }
 
-fn flat_seat<const N: usize>(piece: usize, point: Vector<N>, normal: Vector<N>) -> Seat<N> {
+const fn edge(number: usize) -> Piece {
+    Piece { kind: PieceKind::Edge, number }
+}
+
+const fn face(number: usize) -> Piece {
+    Piece { kind: PieceKind::Face, number }
+}
+
+fn flat_seat<const N: usize>(piece: Piece, point: Vector<N>, normal: Vector<N>) -> Seat<N> {
     Seat { piece: Some(piece), point, inward_normal: normal, curvature: Curvature::FLAT }
 }
 
@@ -151,14 +155,14 @@ fn vertex_or_edge_near(
     point: Vector<3>,
     within: f64,
 ) -> Option<Vector<3>> {
-    let corners = solid.faces()[face].corners();
+    let vertices = solid.faces()[face].vertices();
     let near = |place: &Vector<3>| (*place - point).norm() <= within;
-    let mut vertices = corners.iter().map(|&corner| solid.vertices()[corner]);
+    let mut places = vertices.iter().map(|&vertex| solid.vertices()[vertex]);
     let edge = |i: usize| {
-        let ends = [corners[i], corners[(i + 1) % corners.len()]];
-        nearest_between(ends.map(|corner| solid.vertices()[corner]), point)
+        let ends = [vertices[i], vertices[(i + 1) % vertices.len()]];
+        nearest_between(ends.map(|vertex| solid.vertices()[vertex]), point)
     };
-    vertices.find(near).or_else(|| (0..corners.len()).map(edge).find(near))
+    places.find(near).or_else(|| (0..vertices.len()).map(edge).find(near))
 }
 
 /// The faces that meet at a place of `face`.
@@ -186,6 +190,12 @@ impl PieceKind {
             Self::Edge => "edge",
             Self::Face => "face",
         }
+    }
+}
+
+impl fmt::Display for Piece {
+    fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(out, "{} {}", self.kind, self.number)
     }
 }
 

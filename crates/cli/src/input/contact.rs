@@ -1,12 +1,11 @@
 //! One contact of a file: where it sits, and how deep its finger presses.
 
-use clench::contact::{Contact, ContactError, Curvature, Geometry};
+use clench::contact::{Contact, ContactError, Curvature, Geometry, Law};
 use clench::screw::Vector;
 
-use super::boundary::{Foot, PieceKind, Seat};
-use super::dimension::Dimension;
+use super::boundary::{Foot, Piece, PieceKind, Seat};
 use super::fault::{ContactFault, Coordinates, Fault, Nearest};
-use super::grasp::{Source, Touch, vector};
+use super::grasp::{Source, vector};
 use super::place::Place;
 use super::schema;
 use crate::failure::Failure;
@@ -22,12 +21,19 @@ const SAME_NORMAL: f64 = 1e-4;
 /// A contact of the file, and what is needed to place it.
 pub(super) struct Entry<'a, const N: usize> {
     pub(super) source: &'a Source<'a, N>,
-    pub(super) dimension: &'a Dimension<N>,
     pub(super) number: usize,
     pub(super) given: &'a schema::Contact,
 }
 
-/// How hard a finger presses.
+/// Where a finger sits, and how hard it presses.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Seated<const N: usize> {
+    pub(super) geometry: Geometry<N>,
+    /// The edge or face; none of a smooth part.
+    pub(super) piece: Option<Piece>,
+    press: Press,
+}
+
 #[derive(Clone, Copy, Debug)]
 enum Press {
     Preload(f64),
@@ -35,25 +41,36 @@ enum Press {
 }
 
 impl<const N: usize> Entry<'_, N> {
-    /// The contact, and what it touches.
-    pub(super) fn contact<const M: usize>(&self) -> Result<(Contact<N, M>, Touch<N>), Failure> {
-        let finger = self.finger()?;
-        let (seat, press) = self.seat_and_press()?;
-        let geometry = Geometry {
-            point: seat.point,
-            inward_normal: seat.inward_normal,
-            finger,
-            part: seat.curvature,
+    /// How the finger is curved: pointed, or as `read` has it from its fields and its direction.
+    pub(super) fn curvature(
+        &self,
+        read: impl FnOnce(&schema::Finger, Option<Vector<N>>) -> Result<Curvature<N>, ContactFault>,
+    ) -> Result<Curvature<N>, Failure> {
+        let Some(finger) = &self.given.finger else { return Ok(Curvature::POINTED) };
+        let place = || self.place().field("finger").field("direction");
+        let along = finger.direction.as_ref();
+        let along = along.map(|numbers| vector(self.source.document, &place(), numbers));
+        read(finger, along.transpose()?).map_err(|fault| self.fault("finger", fault))
+    }
+
+    /// Where `finger` sits, and how hard it presses.
+    pub(super) fn seated(&self, finger: Curvature<N>) -> Result<Seated<N>, Failure> {
+        let (Seat { piece, point, inward_normal, curvature }, press) = self.seat_and_press()?;
+        let geometry = Geometry { point, inward_normal, finger, part: curvature };
+        Ok(Seated { geometry, piece, press })
+    }
+
+    /// The contact of a finger that sits there, by its law.
+    pub(super) fn contact<const M: usize>(
+        &self,
+        seated: &Seated<N>,
+        law: Law,
+    ) -> Result<Contact<N, M>, Failure> {
+        let contact = match seated.press {
+            Press::Preload(force) => Contact::new(seated.geometry, law, force),
+            Press::Overlap(depth) => Contact::overlapping(seated.geometry, law, depth),
         };
-        let (law, long_axis) = self.law(seat.piece, &geometry)?;
-        let contact = match press {
-            Press::Preload(force) => Contact::new(geometry, law, force),
-            Press::Overlap(depth) => Contact::overlapping(geometry, law, depth),
-        };
-        let kind = self.source.boundary.pieces().map(|(kind, _)| kind);
-        let touch = Touch { piece: kind.zip(seat.piece), long_axis };
-        let contact = contact.map_err(|e| self.fault(self.field_at_fault(&e), e))?;
-        Ok((contact, touch))
+        contact.map_err(|e| self.fault(self.field_at_fault(&e), e))
     }
 
     /// The error that the field `name` of this contact has a fault.
@@ -81,15 +98,6 @@ impl<const N: usize> Entry<'_, N> {
             ContactError::NoStiffness { .. } => "law",
             _ => "finger",
         }
-    }
-
-    fn finger(&self) -> Result<Curvature<N>, Failure> {
-        let Some(finger) = &self.given.finger else { return Ok(Curvature::POINTED) };
-        let place = || self.place().field("finger").field("direction");
-        let along = finger.direction.as_ref();
-        let along = along.map(|numbers| vector(self.source.document, &place(), numbers));
-        let curvature = (self.dimension.curvature)(finger, along.transpose()?);
-        curvature.map_err(|fault| self.fault("finger", fault))
     }
 
     fn allowed(&self) -> f64 {
@@ -127,7 +135,7 @@ impl<const N: usize> Entry<'_, N> {
             ContactFault::OffBoundary {
                 contact: self.number,
                 distance: signed_distance.abs(),
-                nearest: self.piece(piece),
+                nearest: Nearest(piece),
                 side: if signed_distance < 0.0 { "inside" } else { "outside" },
                 allowed: self.allowed(),
                 unit: self.unit(),
@@ -169,11 +177,11 @@ impl<const N: usize> Entry<'_, N> {
     fn chosen(&self, field: &str, mut seats: Vec<Seat<N>>) -> Result<Seat<N>, Failure> {
         let contact = self.number;
         let nearest = seats[0];
-        if let Some((kind, piece)) = self.named()? {
+        if let Some(piece) = self.named()? {
             seats.retain(|seat| seat.piece == Some(piece));
             if seats.is_empty() {
-                let nearest = self.piece(nearest.piece);
-                let fault = ContactFault::OffPiece { contact, kind, piece, nearest };
+                let nearest = Nearest(nearest.piece);
+                let fault = ContactFault::OffPiece { contact, piece, nearest };
                 return Err(self.fault(field, fault));
             }
         }
@@ -188,9 +196,9 @@ impl<const N: usize> Entry<'_, N> {
         }
         let other = seats[1..].iter().find(|other| !self.interchangeable(&seats[0], other));
         let both = other.and_then(|other| seats[0].piece.zip(other.piece));
-        match both.zip(self.source.boundary.pieces()) {
-            Some(((first, second), (kind, _))) => {
-                let fault = ContactFault::AmbiguousPiece { contact, kind, first, second };
+        match both {
+            Some((first, second)) => {
+                let fault = ContactFault::AmbiguousPiece { contact, first, second };
                 Err(self.fault(field, fault))
             }
             None => Ok(seats[0]),
@@ -198,7 +206,7 @@ impl<const N: usize> Entry<'_, N> {
     }
 
     /// The edge or face that the contact names, if it names one.
-    fn named(&self) -> Result<Option<(PieceKind, usize)>, Failure> {
+    fn named(&self) -> Result<Option<Piece>, Failure> {
         let pieces = self.source.boundary.pieces();
         let names = [(PieceKind::Edge, self.given.edge), (PieceKind::Face, self.given.face)];
         let mut named = None;
@@ -209,11 +217,11 @@ impl<const N: usize> Entry<'_, N> {
                 return Err(self.fault(found.field(), ContactFault::WrongPiece { found, kind }));
             };
             let piece = usize::try_from(number.0).ok().filter(|&piece| piece < count);
-            let Some(piece) = piece else {
+            let Some(piece) = piece.map(|number| Piece { kind, number }) else {
                 let fault = ContactFault::NoSuchPiece { kind, found: number.0, last: count - 1 };
                 return Err(self.fault(kind.field(), fault));
             };
-            named = Some((kind, piece));
+            named = Some(piece);
         }
         Ok(named)
     }
@@ -227,10 +235,10 @@ impl<const N: usize> Entry<'_, N> {
     }
 
     /// The stiffness of a contact without a law on `piece`.
-    pub(super) fn part_stiffness(&self, piece: Option<usize>) -> Option<f64> {
+    pub(super) fn part_stiffness(&self, piece: Option<Piece>) -> Option<f64> {
         match self.source.stiffness? {
             [one] => Some(*one),
-            each => each.get(piece?).copied(),
+            each => each.get(piece?.number).copied(),
         }
     }
 
@@ -240,14 +248,9 @@ impl<const N: usize> Entry<'_, N> {
             contact: self.number,
             found: Coordinates(found),
             expected: Coordinates(seat.inward_normal.to_array().to_vec()),
-            at: self.piece(seat.piece),
+            at: Nearest(seat.piece),
         };
         self.fault("inward_normal", fault)
-    }
-
-    fn piece(&self, piece: Option<usize>) -> Nearest {
-        let kind = self.source.boundary.pieces().map(|(kind, _)| kind);
-        Nearest(kind.zip(piece))
     }
 
     /// The name of the unit of length.
@@ -258,7 +261,5 @@ impl<const N: usize> Entry<'_, N> {
 
 /// Whether a direction of any length is that of a unit normal.
 fn same_direction<const N: usize>(direction: Vector<N>, normal: Vector<N>) -> bool {
-    let size = direction.max_abs();
-    let scaled = direction * size.recip();
-    size > 0.0 && (scaled * scaled.norm().recip() - normal).norm() <= SAME_NORMAL
+    direction.direction().is_some_and(|unit| (unit - normal).norm() <= SAME_NORMAL)
 }

@@ -1,14 +1,14 @@
 //! From the contacts and loads of a file to a grasp.
 
-use clench::contact::Contact;
+use clench::contact::{Contact, Hertz};
 use clench::screw::Vector;
 use clench::stiffness::{DeadLoad, Grasp, GraspError};
 
-use super::boundary::{Boundary, PieceKind};
+use super::boundary::{Boundary, Piece};
 use super::contact::Entry;
-use super::dimension::{Dimension, PLANE, SPACE};
 use super::document::Document;
-use super::fault::Fault;
+use super::fault::{ContactFault, Fault};
+use super::finger;
 use super::number::Coordinates;
 use super::part::{Body, PlanarShape};
 use super::place::Place;
@@ -16,22 +16,14 @@ use super::schema;
 use super::solid::SpatialShape;
 use crate::failure::Failure;
 
-/// The grasp of a file, and what only the file knows of each contact.
+/// The grasp of a file, and what only the file knows of it.
 #[derive(Debug)]
 pub(crate) struct FileGrasp<const N: usize, const M: usize> {
     pub(crate) grasp: Grasp<N, M>,
-    pub(crate) touches: Vec<Touch<N>>,
+    /// The edge or face that each contact presses on; none of a smooth part.
+    pub(crate) pieces: Vec<Option<Piece>>,
     /// The radius of the part.
     pub(crate) radius: f64,
-}
-
-/// What a contact touches, besides its numbers.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Touch<const N: usize> {
-    /// The edge or face; none of a smooth part.
-    pub(crate) piece: Option<(PieceKind, usize)>,
-    /// The direction in which the area of a Hertz contact is longest, in space.
-    pub(crate) long_axis: Option<Vector<N>>,
 }
 
 /// The grasp of a planar part by the contacts of a file.
@@ -44,7 +36,12 @@ pub(crate) fn planar_grasp(
         PlanarShape::Outline(outline) => &**outline,
         PlanarShape::Ellipse(ellipse) => ellipse,
     };
-    grasp(&Source { document, file, boundary, stiffness: body.stiffness.as_deref() }, &PLANE)
+    let source = Source { document, file, boundary, stiffness: body.stiffness.as_deref() };
+    grasp(&source, |entry| {
+        let seated = entry.seated(entry.curvature(|finger, _| finger::planar(finger))?)?;
+        let law = entry.law(&seated, |_| Err(ContactFault::PlanarHertz))?;
+        Ok((entry.contact(&seated, law)?, seated.piece))
+    })
 }
 
 /// The grasp of a spatial part by the contacts of a file.
@@ -57,7 +54,12 @@ pub(crate) fn spatial_grasp(
         SpatialShape::Polyhedron(polyhedron) => &**polyhedron,
         SpatialShape::Ellipsoid(ellipsoid) => ellipsoid,
     };
-    grasp(&Source { document, file, boundary, stiffness: body.stiffness.as_deref() }, &SPACE)
+    let source = Source { document, file, boundary, stiffness: body.stiffness.as_deref() };
+    grasp(&source, |entry| {
+        let seated = entry.seated(entry.curvature(finger::spatial)?)?;
+        let law = entry.law(&seated, |modulus| Ok(Hertz::of(modulus, &seated.geometry)?))?;
+        Ok((entry.contact(&seated, law)?, seated.piece))
+    })
 }
 
 /// A grasp file whose part is known.
@@ -69,20 +71,18 @@ pub(super) struct Source<'a, const N: usize> {
     pub(super) stiffness: Option<&'a [f64]>,
 }
 
+/// The grasp by the contacts of a file, each made by `contact`.
 fn grasp<const N: usize, const M: usize>(
     source: &Source<'_, N>,
-    dimension: &Dimension<N>,
+    contact: impl Fn(&Entry<'_, N>) -> Result<(Contact<N, M>, Option<Piece>), Failure>,
 ) -> Result<FileGrasp<N, M>, Failure> {
     let Source { document, file, boundary, .. } = source;
     if file.contacts.is_empty() {
         return Err(document.error(&Place::default().field("contacts"), Fault::NoContacts));
     }
     let entries = file.contacts.iter().enumerate();
-    let contacts = entries.map(|(number, given)| {
-        let entry = Entry { source, dimension, number, given };
-        entry.contact()
-    });
-    let (contacts, touches): (Vec<Contact<N, M>>, Vec<Touch<N>>) =
+    let contacts = entries.map(|(number, given)| contact(&Entry { source, number, given }));
+    let (contacts, pieces): (Vec<_>, Vec<_>) =
         contacts.collect::<Result<Vec<_>, _>>()?.into_iter().unzip();
     let loads = loads(document, &file.loads)?;
     let grasp = Grasp::new(contacts).and_then(|grasp| grasp.with_loads(loads)).map_err(|e| {
@@ -93,7 +93,7 @@ fn grasp<const N: usize, const M: usize>(
         };
         document.error(&place, Fault::Grasp(e))
     })?;
-    Ok(FileGrasp { grasp, touches, radius: boundary.radius() })
+    Ok(FileGrasp { grasp, pieces, radius: boundary.radius() })
 }
 
 fn loads<const N: usize>(

@@ -1,20 +1,17 @@
 //! The law of a contact: from the file, or from the stiffness of the part.
 
 use clench::contact::{
-    ContactError, Elastic, Geometry, Hertz, Law, LineContact, Material, effective_modulus,
+    ContactError, Elastic, Hertz, Law, LineContact, Material, effective_modulus,
 };
-use clench::screw::Vector;
 
 use super::boundary::PieceKind;
-use super::contact::Entry;
+use super::contact::{Entry, Seated};
 use super::fault::ContactFault;
+use super::material;
 use super::number::Finite;
 use super::schema;
 use super::units;
 use crate::failure::Failure;
-
-/// A law, and the direction in which the area of contact is longest, where that is known.
-type LawAndAxis<const N: usize> = (Law, Option<Vector<N>>);
 
 /// What Hertz' law follows from, as a file gives it.
 struct HertzFields<'a> {
@@ -25,16 +22,17 @@ struct HertzFields<'a> {
 }
 
 impl<const N: usize> Entry<'_, N> {
-    /// The law of the contact at `geometry`, on the edge or face `piece`.
+    /// The law of a finger that sits there; `hertz` is Hertz' law of its curvatures, from the
+    /// effective modulus.
     pub(super) fn law(
         &self,
-        piece: Option<usize>,
-        geometry: &Geometry<N>,
-    ) -> Result<LawAndAxis<N>, Failure> {
+        seated: &Seated<N>,
+        hertz: impl FnOnce(f64) -> Result<Hertz, ContactFault>,
+    ) -> Result<Law, Failure> {
         let law = match &self.given.law {
             None => {
                 let fault = ContactFault::NoLaw { contact: self.number };
-                let stiffness = self.part_stiffness(piece);
+                let stiffness = self.part_stiffness(seated.piece);
                 Law::linear(stiffness.ok_or_else(|| self.error(&self.place(), fault))?)
             }
             Some(schema::Law::Linear { stiffness }) => Law::linear(stiffness.0),
@@ -42,20 +40,17 @@ impl<const N: usize> Entry<'_, N> {
                 Law::power(coefficient.0, exponent.0)
             }
             Some(schema::Law::Hertz { effective_modulus, finger, part, relative_radius }) => {
-                return self.hertz(
-                    &HertzFields {
-                        modulus: *effective_modulus,
-                        finger: finger.as_ref(),
-                        part: part.as_ref(),
-                        relative_radius: *relative_radius,
-                    },
-                    geometry,
-                );
+                let fields = HertzFields {
+                    modulus: *effective_modulus,
+                    finger: finger.as_ref(),
+                    part: part.as_ref(),
+                    relative_radius: *relative_radius,
+                };
+                return self.hertz(&fields, hertz).map(Law::Hertz);
             }
             Some(schema::Law::Line { thickness, reference_depth, finger, part }) => {
-                self.check_line(geometry)?;
                 Law::line(&LineContact {
-                    radius: geometry.finger.radius().unwrap_or(0.0),
+                    radius: self.disc(seated)?,
                     thickness: thickness.0,
                     reference_depth: reference_depth.0,
                     finger: self.elastic("finger", finger)?,
@@ -63,54 +58,58 @@ impl<const N: usize> Entry<'_, N> {
                 })
             }
         };
-        Ok((law.map_err(|e| self.fault("law", e))?, None))
+        law.map_err(|e| self.fault("law", e))
     }
 
     fn hertz(
         &self,
         fields: &HertzFields<'_>,
-        geometry: &Geometry<N>,
-    ) -> Result<LawAndAxis<N>, Failure> {
-        let modulus = match (fields.modulus, fields.finger, fields.part) {
-            (Some(modulus), None, None) => modulus.0,
-            (None, Some(finger), Some(part)) => {
-                effective_modulus(self.elastic("finger", finger)?, self.elastic("part", part)?)
-            }
-            (modulus, finger, part) => {
-                let found = match (modulus, finger, part) {
-                    (Some(_), _, _) => "an `effective_modulus` and a material",
-                    (None, None, None) => "neither",
-                    _ => "one material",
-                };
-                return Err(self.fault("law", ContactFault::HertzModulus { found }));
-            }
-        };
+        of_curvatures: impl FnOnce(f64) -> Result<Hertz, ContactFault>,
+    ) -> Result<Hertz, Failure> {
+        let modulus = self.modulus(fields)?;
         if let Some(radius) = fields.relative_radius {
-            let law = Hertz::circular(modulus, radius.0).map_err(|e| self.fault("law", e))?;
-            return Ok((Law::Hertz(law), None));
+            return Hertz::circular(modulus, radius.0).map_err(|e| self.fault("law", e));
         }
-        let (law, axis) = (self.dimension.hertz)(modulus, geometry).map_err(|fault| {
-            let field = match fault {
-                ContactFault::Library(ContactError::NotPositive {
-                    parameter: "effective modulus" | "coefficient",
-                    ..
-                })
-                | ContactFault::PlanarHertz => "law",
-                _ => "finger",
-            };
-            self.fault(field, fault)
-        })?;
-        Ok((Law::Hertz(law), Some(axis)))
+        of_curvatures(modulus).map_err(|fault| match fault {
+            ContactFault::Library(ContactError::Pointed { .. }) if self.given.finger.is_none() => {
+                self.fault("law", ContactFault::PointedByDefault { contact: self.number })
+            }
+            ContactFault::Library(
+                ContactError::Pointed { .. }
+                | ContactError::LineOfContact { .. }
+                | ContactError::NoGap { .. }
+                | ContactError::NoEllipse { .. }
+                | ContactError::RadiusNotANumber { .. }
+                | ContactError::PrincipalCurvature { .. }
+                | ContactError::NoPrincipalDirection { .. },
+            ) => self.fault("finger", fault),
+            _ => self.fault("law", fault),
+        })
     }
 
-    /// A line of contact is that of a disc on a straight edge.
-    fn check_line(&self, geometry: &Geometry<N>) -> Result<(), Failure> {
-        let found = match self.source.boundary.pieces() {
-            Some((PieceKind::Face, _)) => "a face of a solid",
+    /// The effective modulus, from the file or from the materials.
+    fn modulus(&self, fields: &HertzFields<'_>) -> Result<f64, Failure> {
+        let found = match (fields.modulus, fields.finger, fields.part) {
+            (Some(modulus), None, None) => return Ok(modulus.0),
+            (None, Some(finger), Some(part)) => {
+                let finger = self.elastic("finger", finger)?;
+                return Ok(effective_modulus(finger, self.elastic("part", part)?));
+            }
+            (Some(_), _, _) => "an `effective_modulus` and a material",
+            (None, None, None) => "neither",
+            (None, _, _) => "one material",
+        };
+        Err(self.fault("law", ContactFault::HertzModulus { found }))
+    }
+
+    /// The radius of a disc on a straight edge: they touch along a line.
+    fn disc(&self, seated: &Seated<N>) -> Result<f64, Failure> {
+        let found = match seated.piece.map(|piece| piece.kind) {
+            Some(PieceKind::Face) => "a face of a solid",
             None if N == 2 => "an ellipse",
             None => "an ellipsoid",
-            Some((PieceKind::Edge, _)) => match geometry.finger.radius() {
-                Some(radius) if radius > 0.0 => return Ok(()),
+            Some(PieceKind::Edge) => match seated.geometry.finger.radius() {
+                Some(radius) if radius > 0.0 && radius.is_finite() => return Ok(radius),
                 _ => "a finger that is no disc",
             },
         };
@@ -119,15 +118,19 @@ impl<const N: usize> Entry<'_, N> {
 
     /// The material in the field `name` of the law.
     fn elastic(&self, name: &str, material: &schema::Material) -> Result<Elastic, Failure> {
+        let place = self.place().field("law").field(name);
         let elastic = match material {
             schema::Material::Elastic(constants) => {
-                Elastic::new(constants.young.0, constants.poisson.0).map_err(ContactFault::from)
+                Elastic::new(constants.young.0, constants.poisson.0)
             }
-            schema::Material::Named(name) => Material::named(name)
-                .map_err(ContactFault::from)
-                .and_then(|found| Ok(found.elastic(units::sizes(&self.source.file.units)?)?)),
+            schema::Material::Named(name) => {
+                let sizes = || units::sizes(&self.source.file.units);
+                let found = Material::named(name).ok_or_else(|| material::unknown(name));
+                let found = found.and_then(|material| Ok((material, sizes()?)));
+                let (material, sizes) = found.map_err(|fault| self.error(&place, fault))?;
+                material.elastic(sizes)
+            }
         };
-        let place = self.place().field("law").field(name);
-        elastic.map_err(|fault| self.error(&place, fault))
+        elastic.map_err(|e| self.error(&place, ContactFault::from(e)))
     }
 }

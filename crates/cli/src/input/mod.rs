@@ -10,10 +10,11 @@ mod mesh;
 mod grasp;
 
 mod contact;
+mod finger;
 mod law;
 
 mod boundary;
-mod dimension;
+mod material;
 mod units;
 
 mod number;
@@ -28,9 +29,9 @@ mod node;
 mod reader;
 mod toml_tree;
 
-pub(crate) use boundary::PieceKind;
+pub(crate) use boundary::{Piece, PieceKind};
 pub(crate) use document::Document;
 pub(crate) use fault::InputError;
-pub(crate) use grasp::{FileGrasp, Touch, planar_grasp, spatial_grasp};
+pub(crate) use grasp::{FileGrasp, planar_grasp, spatial_grasp};
 pub(crate) use number::Finite;
 pub(crate) use part::{Part, PlanarShape, outline_part, part};

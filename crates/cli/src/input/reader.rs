@@ -10,9 +10,7 @@ use serde::forward_to_deserialize_any;
 use super::node::{Entry, Node, Value};
 use super::place::{Place, Step};
 use super::schema;
-
-/// As much of a text as a message quotes.
-const LONGEST_TEXT: usize = 40;
+use crate::wording::quoted;
 
 /// What does not fit the schema, and where.
 #[derive(Debug)]
@@ -91,10 +89,7 @@ impl fmt::Display for Found<'_> {
             Unexpected::Unit | Unexpected::Option => out.write_str("null"),
             Unexpected::Bool(flag) => write!(out, "{flag}"),
             Unexpected::Float(number) => write!(out, "{number}"),
-            Unexpected::Str(text) => match text.char_indices().nth(LONGEST_TEXT) {
-                Some((end, _)) => write!(out, "text `{}…`", text[..end].escape_debug()),
-                None => write!(out, "text `{}`", text.escape_debug()),
-            },
+            Unexpected::Str(text) => write!(out, "text {}", quoted(text)),
             Unexpected::Seq => out.write_str("a list"),
             Unexpected::Map => out.write_str("a table"),
             Unexpected::Other(what) => out.write_str(what),

@@ -1,7 +1,7 @@
 //! The report on a grasp.
 
-use clench::contact::{Law, Order};
-use clench::screw::Stiffness;
+use clench::contact::{Contact, Law, Order};
+use clench::screw::{Stiffness, Vector};
 use clench::stiffness::Equilibrium;
 use serde::{Serialize, Serializer};
 
@@ -11,6 +11,7 @@ use super::words::{OrderWord, StabilityWord};
 use crate::analyze::Analysis;
 use crate::input::PieceKind;
 use crate::input::schema::Units;
+use crate::view::plain;
 
 /// A share of the preload this small is rounding: the forces that balance follow from products
 /// of a few rounded numbers.
@@ -89,6 +90,9 @@ pub(crate) struct AnalyzedContact {
     /// Of the area of contact along a line.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub(crate) half_width: Option<f64>,
+    /// In the middle of that area.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(crate) peak_pressure: Option<f64>,
 }
 
 /// The area of a Hertz contact.
@@ -120,14 +124,19 @@ pub(crate) struct EquilibriumReport {
     pub(crate) residual_torque: Vec<f64>,
     /// The residual force relative to the total of preloads and loads, 0 without any.
     pub(crate) relative_force: f64,
-    /// The residual torque about the contacts' centroid, relative to that total times the distance
-    /// of the farthest contact or load from there.
+    /// The residual torque about the contacts' centroid, relative to the total preload times the
+    /// grasp's length, the distance of the farthest contact from there, plus each load times its
+    /// own distance.
     pub(crate) relative_torque: f64,
 }
 
 impl<'a> AnalysisReport<'a> {
-    /// The report on `analysis`.
-    pub(crate) fn new<const N: usize, const M: usize>(analysis: &Analysis<'a, N, M>) -> Self {
+    /// The report on `analysis`; `longest_along` is the direction in which the area of contact is
+    /// longest, where that is known.
+    pub(crate) fn new<const N: usize, const M: usize>(
+        analysis: &Analysis<'a, N, M>,
+        longest_along: impl Fn(&Contact<N, M>) -> Option<Vector<N>>,
+    ) -> Self {
         let grasp = analysis.grasp;
         let verdict = Verdict::on(analysis);
         let preload = |origin| grasp.preload_stiffness(origin);
@@ -136,14 +145,14 @@ impl<'a> AnalysisReport<'a> {
             dimension: N,
             units: analysis.units,
             frame: FrameReport::new(analysis),
-            contacts: contacts(analysis),
+            contacts: contacts(analysis, longest_along),
             loads: loads(analysis),
             order: analysis.order.into(),
             stiffness: formed(analysis.order),
             stiffness_first_order: formed(Order::First),
             stiffness_preload: rows(&analysis.stiffness(preload)),
             equilibrium: equilibrium(analysis),
-            stability: analysis.stability.into(),
+            stability: analysis.classes.grasp.into(),
             metrics: analysis.metrics.as_ref().ok().map(|m| MetricsReport::new(m, &analysis.view)),
             force_closure: analysis.preloads.force_closure,
             preload_margin: analysis.preloads.best.as_ref().map(|best| plain(best.margin)),
@@ -166,24 +175,26 @@ impl FrameReport {
     }
 }
 
-/// Zero without a sign.
-pub(crate) fn plain(value: f64) -> f64 {
-    value + 0.0
-}
-
 fn rows<const N: usize, const M: usize>(stiffness: &Stiffness<N, M>) -> Rows {
     let row = |i| (0..N + M).map(|j| plain(stiffness.entry(i, j))).collect();
     (0..N + M).map(row).collect()
 }
 
-fn contacts<const N: usize, const M: usize>(analysis: &Analysis<'_, N, M>) -> Vec<AnalyzedContact> {
+fn contacts<const N: usize, const M: usize>(
+    analysis: &Analysis<'_, N, M>,
+    longest_along: impl Fn(&Contact<N, M>) -> Option<Vector<N>>,
+) -> Vec<AnalyzedContact> {
     let shares = analysis.preloads.best.as_ref().map(|best| &best.shares);
-    let contacts = analysis.grasp.contacts().iter().zip(analysis.touches).enumerate();
+    let contacts = analysis.grasp.contacts().iter().zip(analysis.pieces).enumerate();
     contacts
-        .map(|(i, (contact, touch))| {
-            let on = |wanted| touch.piece.filter(|(kind, _)| *kind == wanted).map(|(_, n)| n);
+        .map(|(i, (contact, piece))| {
+            let on = |wanted| piece.filter(|piece| piece.kind == wanted).map(|piece| piece.number);
             let overlap = contact.overlap();
-            let axis = touch.long_axis.map(|axis| analysis.view.direction(axis));
+            let along = || longest_along(contact).map(|along| analysis.view.direction(along));
+            let line = match contact.law() {
+                Law::Line(line) => Some(line),
+                _ => None,
+            };
             AnalyzedContact {
                 edge: on(PieceKind::Edge),
                 face: on(PieceKind::Face),
@@ -193,23 +204,19 @@ fn contacts<const N: usize, const M: usize>(analysis: &Analysis<'_, N, M>) -> Ve
                 stiffness: contact.slope(),
                 preload: contact.preload(),
                 balanced_share: shares.map(|shares| plain(shares[i])),
-                contact_ellipse: contact_ellipse(contact.law(), overlap.depth(), axis),
-                half_width: match contact.law() {
-                    Law::Line(line) => Some(line.half_width(contact.preload())),
+                contact_ellipse: match contact.law() {
+                    Law::Hertz(law) => Some(ContactEllipse {
+                        semi_axes: law.semi_axes(overlap.depth()),
+                        direction: along(),
+                        peak_pressure: law.peak_pressure(overlap.depth()),
+                    }),
                     _ => None,
                 },
+                half_width: line.map(|line| line.half_width(contact.preload())),
+                peak_pressure: line.map(|line| line.peak_pressure(contact.preload())),
             }
         })
         .collect()
-}
-
-fn contact_ellipse(law: &Law, overlap: f64, axis: Option<Vec<f64>>) -> Option<ContactEllipse> {
-    let Law::Hertz(law) = law else { return None };
-    Some(ContactEllipse {
-        semi_axes: law.semi_axes(overlap),
-        direction: axis,
-        peak_pressure: law.peak_pressure(overlap),
-    })
 }
 
 fn loads<const N: usize, const M: usize>(analysis: &Analysis<'_, N, M>) -> Vec<LoadReport> {

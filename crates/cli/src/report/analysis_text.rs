@@ -7,7 +7,7 @@ use super::measures::MetricsReport;
 use super::number::{UnitNames, spot};
 use super::page::Page;
 use super::words::{OrderWord, StabilityWord};
-use crate::wording::{counted, digits, precise_digits};
+use crate::wording::{counted, digits, precise_digits, rough_digits};
 
 /// A report and the name of the file that it is on.
 #[derive(Debug)]
@@ -27,6 +27,7 @@ impl fmt::Display for AnalysisText<'_> {
         page.line("");
         self.metrics(&mut page);
         self.holding(&mut page);
+        self.axes(&mut page);
         page.line("");
         self.stiffness(&mut page);
         page.fmt(out)
@@ -64,8 +65,9 @@ impl AnalysisText<'_> {
                 let q = self.units().stiffness(quality.quality);
                 page.head("quality", format_args!("Q = {q}, limited by {}", quality.limited_by));
             }
+            (Some(_), None) => page.head("quality", "of outlines only so far"),
             (_, Some(reason)) => page.head("no answer", reason),
-            _ => {}
+            (None, None) => {}
         }
         for warning in &report.warnings {
             page.head("warning", warning);
@@ -119,6 +121,12 @@ impl AnalysisText<'_> {
             rows.push(row);
         }
         page.table(&rows);
+        if self.report.preload_margin.is_some() {
+            page.line(
+                "balanced share: how a preload is shared to balance, the least share as large as \
+                 can be",
+            );
+        }
     }
 
     /// The areas of contact, where the laws say how large they are.
@@ -134,8 +142,8 @@ impl AnalysisText<'_> {
                 row.extend(direction.map(|direction| spot(direction, 1.0)));
                 rows.push(row);
             }
-            if let Some(half_width) = contact.half_width {
-                rows.push(vec![i.to_string(), digits(half_width)]);
+            if let Some((half_width, pressure)) = contact.half_width.zip(contact.peak_pressure) {
+                rows.push(vec![i.to_string(), digits(half_width), digits(pressure)]);
             }
         }
         let Some(columns) = rows.iter().map(Vec::len).max() else { return };
@@ -207,23 +215,22 @@ impl AnalysisText<'_> {
             };
             return page.row("equilibrium", "holds", meaning);
         }
+        let [total, moments] = if report.loads.is_empty() {
+            ["the total preload", "the total preload times the grasp's length"]
+        } else {
+            ["the total of all forces", "all forces times their arms"]
+        };
+        let force = format!("{} {}", spot(&residual.residual_force, 0.0), units.0.force);
         let torque = match &residual.residual_torque[..] {
             [torque] => units.torque(*torque),
             torque => format!("{} {} {}", spot(torque, 0.0), units.0.force, units.0.length),
         };
-        let total = if report.loads.is_empty() { "total preload" } else { "total of all forces" };
-        page.row(
-            "equilibrium",
-            "fails",
-            format_args!(
-                "force {} {} and torque {torque} are left: {:.1e} of the {total}, {:.1e} of that \
-                 times the contacts' size",
-                spot(&residual.residual_force, 0.0),
-                units.0.force,
-                residual.relative_force,
-                residual.relative_torque
-            ),
-        );
+        let share = rough_digits(residual.relative_force);
+        page.row("equilibrium", "fails", format_args!("left: force {force}, {share} of {total}"));
+        let share = rough_digits(residual.relative_torque);
+        let torque =
+            format!("left: torque {torque}; about the contacts' centroid {share} of {moments}");
+        page.row("", "", torque);
     }
 }
 

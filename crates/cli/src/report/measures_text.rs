@@ -7,6 +7,9 @@ use super::page::Page;
 use super::words::OrderWord;
 use crate::wording::digits;
 
+/// The coordinates of twists in the plane.
+const PLANAR: [&str; 3] = ["x", "y", "rot"];
+
 /// The coordinates of twists in space.
 const SPATIAL: [&str; 6] = ["x", "y", "z", "rot x", "rot y", "rot z"];
 
@@ -15,53 +18,64 @@ impl AnalysisText<'_> {
     pub(super) fn metrics(&self, page: &mut Page) {
         let Some(metrics) = &self.report.metrics else { return };
         self.translations(page, metrics);
-        for principal in &metrics.rotational {
+        if let [principal] = &metrics.rotational[..] {
             self.rotation(page, principal);
         }
         if let Some(center) = &metrics.center_of_compliance {
             page.row("center of compliance", self.spot(center), "");
         }
         if let Some(center) = &metrics.center {
-            let meaning = "the center of compliance, if there is one";
+            let meaning = "where force and rotation couple symmetrically";
             page.row("center", self.spot(center), meaning);
         }
         self.quality(page, metrics);
     }
 
     fn translations(&self, page: &mut Page, metrics: &MetricsReport) {
-        let last = metrics.translational.len() - 1;
+        let count = metrics.translational.len();
         for (i, principal) in metrics.translational.iter().enumerate() {
-            let name = match i {
-                0 => "sigma_min",
-                _ if i == last => "sigma_max",
-                _ => "sigma",
-            };
             let along = along(&principal.direction);
             let meaning =
                 if i == 0 { format!("least translational stiffness, {along}") } else { along };
-            page.row(name, self.units().stiffness(principal.value), meaning);
+            let value = self.units().stiffness(principal.value);
+            page.row(&ranked("sigma", i, count), value, meaning);
         }
     }
 
+    /// The one rotation of the plane.
     fn rotation(&self, page: &mut Page, principal: &Rotational) {
         let units = self.units();
-        let meaning = if self.planar() {
-            "rotational stiffness".to_owned()
-        } else {
-            let rounding = INVISIBLE * self.report.size;
-            let pitch = if principal.pitch.abs() <= rounding { 0.0 } else { principal.pitch };
-            format!(
-                "rotational stiffness, about the axis {} through {}, pitch {}",
-                along(&principal.direction),
-                self.spot(&principal.axis_point),
-                units.length(pitch)
-            )
-        };
-        page.row("mu", units.torque(principal.value), meaning);
+        page.row("mu", units.torque(principal.value), "rotational stiffness");
         if let Some(equivalent) = principal.equivalent {
             let meaning = "mu / reach^2: comparable to sigma_min";
             page.row("mu_eq", units.stiffness(equivalent), meaning);
         }
+    }
+
+    /// The principal rotations of space.
+    pub(super) fn axes(&self, page: &mut Page) {
+        let Some(metrics) = self.report.metrics.as_ref().filter(|_| !self.planar()) else { return };
+        let (units, size) = (self.report.units, self.report.size);
+        let head = [
+            "rotation".to_owned(),
+            format!("stiffness [{} {}]", units.force, units.length),
+            "axis along".to_owned(),
+            format!("through [{}]", units.length),
+            format!("pitch [{}]", units.length),
+        ];
+        let mut rows = vec![head.to_vec()];
+        for (i, Rotational { value, axis, .. }) in metrics.rotational.iter().enumerate() {
+            let pitch = if axis.pitch.abs() <= INVISIBLE * size { 0.0 } else { axis.pitch };
+            rows.push(vec![
+                ranked("mu", i, metrics.rotational.len()),
+                digits(*value),
+                spot(&axis.direction, 1.0),
+                spot(&axis.axis_point, size),
+                digits(pitch),
+            ]);
+        }
+        page.line("");
+        page.table(&rows);
     }
 
     fn quality(&self, page: &mut Page, metrics: &MetricsReport) {
@@ -85,23 +99,14 @@ impl AnalysisText<'_> {
 
     /// The stiffness matrix.
     pub(super) fn stiffness(&self, page: &mut Page) {
-        let units = self.units();
-        let twists =
-            if self.planar() { "x, y, rotation" } else { "x, y, z, rotation about x, y, z" };
-        page.line(format_args!(
-            "stiffness matrix about the frame's origin, of ({twists}) [{}, {}, {} {}]",
-            units.per_length(),
-            units.0.force,
-            units.0.force,
-            units.0.length
-        ));
-        let cells = |row: &Vec<f64>| row.iter().map(|&value| digits(value)).collect::<Vec<_>>();
-        let mut rows: Vec<_> = self.report.stiffness.iter().map(cells).collect();
-        if !self.planar() {
-            for (row, name) in rows.iter_mut().zip(self.wrenches()) {
-                row.insert(0, name);
-            }
-            rows.insert(0, std::iter::once(String::new()).chain(self.twists()).collect());
+        page.line("stiffness matrix about the frame's origin");
+        let names: &[&str] = if self.planar() { &PLANAR } else { &SPATIAL };
+        let mut rows = vec![vec![String::new()]];
+        rows[0].extend(names.iter().enumerate().map(|(i, name)| self.twist(i, name)));
+        for (i, entries) in self.report.stiffness.iter().enumerate() {
+            let mut row = vec![self.wrench(i, names[i])];
+            row.extend(entries.iter().map(|&value| digits(value)));
+            rows.push(row);
         }
         page.table(&rows);
         self.added(page);
@@ -125,21 +130,29 @@ impl AnalysisText<'_> {
         }
     }
 
-    /// The names of the columns of a stiffness in space, with units.
-    fn twists(&self) -> impl Iterator<Item = String> {
-        let length = &self.report.units.length;
-        let unit = move |i: usize| if i < 3 { length.0.as_str() } else { "rad" };
-        SPATIAL.iter().enumerate().map(move |(i, name)| format!("{name} [{}]", unit(i)))
+    /// The heading of a column of the stiffness: a motion with its unit.
+    fn twist(&self, i: usize, name: &str) -> String {
+        let length = self.report.units.length.0.as_str();
+        format!("{name} [{}]", if i < self.report.dimension { length } else { "rad" })
     }
 
-    /// The names of its rows, with units.
-    fn wrenches(&self) -> impl Iterator<Item = String> {
+    /// The name of a row: the force or torque that goes with a motion, and its unit.
+    fn wrench(&self, i: usize, name: &str) -> String {
         let units = self.report.units;
-        let name = move |i: usize| match i {
-            0..3 => format!("force {} [{}]", SPATIAL[i], units.force),
-            _ => format!("torque {} [{} {}]", SPATIAL[i - 3], units.force, units.length),
-        };
-        (0..6).map(name)
+        if i < self.report.dimension {
+            return format!("force {name} [{}]", units.force);
+        }
+        let torque = name.replace("rot", "torque");
+        format!("{torque} [{} {}]", units.force, units.length)
+    }
+}
+
+/// The name of number `i` of `count` ascending values.
+fn ranked(name: &str, i: usize, count: usize) -> String {
+    match i {
+        0 => format!("{name}_min"),
+        _ if i + 1 == count => format!("{name}_max"),
+        _ => name.to_owned(),
     }
 }
 

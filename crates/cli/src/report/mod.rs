@@ -19,6 +19,7 @@ use crate::failure::Failure;
 
 pub(crate) use analysis::AnalysisReport;
 pub(crate) use analysis_text::AnalysisText;
+pub(crate) use measures::QualityReport;
 pub(crate) use number::{UnitNames, spot};
 pub(crate) use optimum::{OptimumReport, Question, UnansweredReport};
 pub(crate) use optimum_text::OptimumText;

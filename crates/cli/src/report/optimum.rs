@@ -4,11 +4,11 @@ use clench::optimize::polygon::Part;
 use clench::optimize::{Outcome, Placement};
 use serde::Serialize;
 
-use super::analysis::plain;
 use super::measures::ReachReport;
 use super::words::LimitWord;
 use crate::input::{Finite, schema};
 use crate::optimize::Found;
+use crate::view::plain;
 
 /// What was asked, repeated in the report.
 #[derive(Clone, Copy, Debug, Serialize)]

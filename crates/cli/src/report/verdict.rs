@@ -2,15 +2,21 @@
 
 use clench::contact::Order;
 use clench::metrics::MetricsError;
-use clench::screw::{Cholesky, Twist, Vector};
+use clench::screw::{Axis, Vector};
 use clench::stiffness::{BALANCED, Stability};
 use serde::Serialize;
 
 use super::analysis::NO_SHARE;
-use super::measures::Axis;
+use super::measures::AxisReport;
 use super::number::{INVISIBLE, spot};
 use crate::analyze::Analysis;
-use crate::wording::digits;
+use crate::held::NotHeld;
+use crate::wording::{digits, rough_digits};
+
+/// A stiffness is negative, and not the rounding of zero, if it is below minus this part of the
+/// number that it is compared to: the sums of products that may leave so much are the same on both
+/// sides of zero, and [`MetricsError`] allows for as much above it.
+const NEGATIVE: f64 = 64.0 * f64::EPSILON;
 
 /// What the numbers mean for the part.
 #[derive(Debug)]
@@ -29,79 +35,79 @@ pub(super) struct Verdict {
 #[derive(Clone, Debug, Serialize)]
 #[serde(tag = "kind", rename_all = "lowercase")]
 pub(crate) enum FreeMotion {
-    Translation {
-        direction: Vec<f64>,
-    },
-    Rotation {
-        /// In the plane the point that stays, in space one of the axis.
-        center: Vec<f64>,
-        /// In space.
-        #[serde(skip_serializing_if = "Option::is_none")]
-        axis: Option<Vec<f64>>,
-        /// In space: how far the part moves along the axis per radian.
-        #[serde(skip_serializing_if = "Option::is_none")]
-        pitch: Option<f64>,
-    },
+    Translation { direction: Vec<f64> },
+    Rotation(AxisReport),
+}
+
+/// A motion that the fingers do not resist, and whether it takes place by itself.
+#[derive(Clone, Debug)]
+struct Escape {
+    motion: FreeMotion,
+    drive: Drive,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Drive {
+    /// The motion costs no energy.
+    None,
+    /// It releases some.
+    Pushed,
 }
 
 impl Verdict {
     /// The verdict on the grasp that was analyzed.
     pub(super) fn on<const N: usize, const M: usize>(analysis: &Analysis<'_, N, M>) -> Self {
-        let free_motion = analysis.metrics.as_ref().err().and_then(|e| free(analysis, e));
+        let escape = escape(analysis);
         let pulling_contacts = pulling(analysis);
         let mut warnings = warnings(analysis);
         let loose = loose(analysis, &pulling_contacts);
-        let reason = unstable(analysis, free_motion.as_ref());
-        // Loads that balance press the part on its fingers.
-        let loaded = !analysis.grasp.loads().is_empty() && analysis.equilibrium.holds;
-        let reason = match (reason, loose) {
-            (None, Some(loose)) if loaded => {
-                warnings.push(format!("only the loads keep the part on its fingers: {loose}"));
-                None
-            }
-            (reason, loose) => reason.or(loose),
-        };
+        let held = analysis.metrics.is_ok();
+        let reason = unstable(analysis, escape.as_ref().filter(|_| !held));
+        let reason = reason.or_else(|| loose.clone().filter(|_| !analysis.loaded));
+        let reason = reason.or_else(|| slack(analysis));
+        if analysis.loaded && !analysis.preloads.force_closure && reason.is_none() {
+            let loose = loose.map_or(String::new(), |loose| format!(": {loose}"));
+            warnings.push(format!("only the loads keep the part on its fingers{loose}"));
+        }
+        let free_motion = escape.map(|escape| escape.motion);
         Self { reason, free_motion, pulling_contacts, warnings }
     }
 }
 
-fn free<const N: usize, const M: usize>(
-    analysis: &Analysis<'_, N, M>,
-    error: &MetricsError,
-) -> Option<FreeMotion> {
-    let components = |all: [f64; 3]| Vector::<N>::from_fn(|i| all[i]);
-    match *error {
-        MetricsError::TranslationNotHeld { direction, .. } => {
-            let direction = analysis.view.direction(components(direction));
-            Some(FreeMotion::Translation { direction })
-        }
-        MetricsError::RotationNotHeld { axis, center, .. } => {
-            let center = components(center);
-            let axis = Axis::of(&forceless(analysis, center, axis), center, &analysis.view);
-            let in_space = N == 3;
-            Some(FreeMotion::Rotation {
-                center: axis.point,
-                axis: in_space.then_some(axis.direction),
-                pitch: in_space.then_some(axis.pitch),
-            })
-        }
-        _ => None,
+fn escape<const N: usize, const M: usize>(analysis: &Analysis<'_, N, M>) -> Option<Escape> {
+    match (&analysis.metrics, &analysis.slack) {
+        (Err(not_held), _) => escape_of(analysis, not_held),
+        (Ok(_), Some(slack)) => escape_of(analysis, &slack.not_held),
+        (Ok(_), None) => None,
     }
 }
 
-/// The motion that turns about `axis` and needs no force, about `center`: the translation that
-/// goes with it is that of a screw.
-fn forceless<const N: usize, const M: usize>(
+fn escape_of<const N: usize, const M: usize>(
     analysis: &Analysis<'_, N, M>,
-    center: Vector<N>,
-    axis: [f64; 3],
-) -> Twist<N, M> {
-    let stiffness = analysis.grasp.stiffness(center, analysis.order);
-    // The last axes: in the plane the rotation is about z.
-    let angular = Vector::<M>::from_fn(|i| axis[i + 3 - M]);
-    let held = Cholesky::new(&stiffness.translational);
-    let linear = held.map_or(Vector::ZERO, |k| -k.solve(stiffness.coupling * angular));
-    Twist { linear, angular }
+    not_held: &NotHeld,
+) -> Option<Escape> {
+    let NotHeld::One(error) = not_held else { return None };
+    // Where lines of action meet, both numbers of an error may be rounding, and the class decides,
+    // which compares with all that the contacts resist; unless it is that about another point.
+    let class = analysis.classes.to_order(analysis.order);
+    let negative = class == Stability::Unstable || out_of_balance(analysis);
+    let drive = |value: f64, scale: f64| {
+        let pushed = negative && value < -NEGATIVE * scale;
+        if pushed { Drive::Pushed } else { Drive::None }
+    };
+    match *error {
+        MetricsError::TranslationNotHeld { direction, value, largest } => {
+            let direction = analysis.view.direction(Vector::from_fn(|i| direction[i]));
+            let motion = FreeMotion::Translation { direction };
+            Some(Escape { motion, drive: drive(value, largest) })
+        }
+        MetricsError::RotationNotHeld { axis, point, pitch, value, scale } => {
+            let axis = Axis { direction: axis.into(), point: point.into(), pitch };
+            let motion = FreeMotion::Rotation(AxisReport::new(&axis, &analysis.view));
+            Some(Escape { motion, drive: drive(value, scale) })
+        }
+        _ => None,
+    }
 }
 
 fn pulling<const N: usize, const M: usize>(analysis: &Analysis<'_, N, M>) -> Vec<usize> {
@@ -113,19 +119,85 @@ fn pulling<const N: usize, const M: usize>(analysis: &Analysis<'_, N, M>) -> Vec
 /// Why a part that its springs were glued to would move.
 fn unstable<const N: usize, const M: usize>(
     analysis: &Analysis<'_, N, M>,
-    free: Option<&FreeMotion>,
+    escape: Option<&Escape>,
 ) -> Option<String> {
-    match (free, &analysis.metrics) {
-        (Some(motion), _) => return Some(free_to(analysis, &in_words(analysis, motion))),
-        (None, Err(e)) => return Some(e.to_string()),
-        (None, Ok(_)) => {}
+    let class = analysis.classes.grasp;
+    let moves = match (&analysis.metrics, escape) {
+        (_, Some(escape)) => format!("the part {}", in_words(analysis, escape)),
+        (Err(NotHeld::One(error)), None) => return Some(error.to_string()),
+        (Err(NotHeld::Some), None) => releases(class).to_owned(),
+        // What holds to first order may be pushed away all the same.
+        (Ok(_), None) => match class {
+            Stability::FirstOrder | Stability::SecondOrder => return None,
+            _ if !analysis.equilibrium.holds => return None,
+            _ => releases(class).to_owned(),
+        },
+    };
+    let forces = forces(analysis);
+    if analysis.order == Order::First && class == Stability::SecondOrder {
+        let held = by_preload(analysis);
+        return Some(format!("to first order {moves}{held}"));
     }
-    let unstable = matches!(analysis.stability, Stability::Unstable | Stability::Marginal);
-    (analysis.equilibrium.holds && unstable).then(|| {
-        "the grasp is not stable: to first order the contacts hold the part, but the preload \
-         pushes it away"
-            .to_owned()
-    })
+    if out_of_balance(analysis) {
+        return Some(format!(
+            "the {forces} do not balance, and to second order the stiffness is not positive about \
+             every point: {moves}"
+        ));
+    }
+    let springs_hold = analysis.classes.springs == Stability::FirstOrder;
+    if springs_hold && (analysis.metrics.is_ok() || analysis.order == Order::Second) {
+        let effect = if class == Stability::Unstable { "push it away" } else { "leave it free" };
+        return Some(format!(
+            "the grasp is not stable: to first order the contacts hold the part, but the {forces} \
+             {effect}: {moves}"
+        ));
+    }
+    Some(format!("the grasp is not stable: {moves}"))
+}
+
+/// Why a part comes loose from fingers that nothing presses on it.
+fn slack<const N: usize, const M: usize>(analysis: &Analysis<'_, N, M>) -> Option<String> {
+    let slack = analysis.slack.as_ref()?;
+    let names: Vec<_> = slack.contacts.iter().map(usize::to_string).collect();
+    let names = names.join(", contact ");
+    let why = if slack.at_rest { "nothing presses" } else { "no preload can press" };
+    let without = match escape_of(analysis, &slack.not_held) {
+        Some(escape) => format!("the part {}", in_words(analysis, &escape)),
+        None => "the part is not held".to_owned(),
+    };
+    Some(format!(
+        "{why} contact {names} on the part, a finger can only push, and without that {without}"
+    ))
+}
+
+/// Whether the stiffness of the report depends on the point about which it is formed.
+fn out_of_balance<const N: usize, const M: usize>(analysis: &Analysis<'_, N, M>) -> bool {
+    analysis.order == Order::Second && !analysis.equilibrium.holds
+}
+
+/// What is known of the energy when no motion is.
+const fn releases(class: Stability) -> &'static str {
+    match class {
+        Stability::Unstable => "some motion releases energy",
+        _ => "some motion costs no energy",
+    }
+}
+
+/// What holds a part that is free to first order only.
+fn by_preload<const N: usize, const M: usize>(analysis: &Analysis<'_, N, M>) -> String {
+    let forces = forces(analysis);
+    if analysis.equilibrium.holds {
+        return format!("; the {forces} hold it to second order");
+    }
+    if !analysis.order_chosen {
+        return String::new();
+    }
+    let left = analysis.equilibrium.relative_force.max(analysis.equilibrium.relative_torque);
+    let (left, allowed) = (rough_digits(left), rough_digits(BALANCED));
+    format!(
+        "; the {forces} would hold it, but are out of balance by {left} of their total (at most \
+         {allowed} is allowed): give more digits, or ask for --order second"
+    )
 }
 
 /// Why a part could be pulled out, though its springs alone would hold it.
@@ -154,42 +226,27 @@ fn loose<const N: usize, const M: usize>(
 
 fn in_words<const N: usize, const M: usize>(
     analysis: &Analysis<'_, N, M>,
-    motion: &FreeMotion,
+    escape: &Escape,
 ) -> String {
     let (size, length) = (analysis.size, &analysis.units.length);
-    match motion {
-        FreeMotion::Translation { direction } => format!("slide along {}", spot(direction, 1.0)),
-        FreeMotion::Rotation { center, axis: None, .. } => {
-            format!("turn about {} {length}", spot(center, size))
+    let [slides, turns] = match escape.drive {
+        Drive::None => ["is free to slide", "is free to turn"],
+        Drive::Pushed => ["is pushed away", "turns away"],
+    };
+    match &escape.motion {
+        FreeMotion::Translation { direction } => format!("{slides} along {}", spot(direction, 1.0)),
+        FreeMotion::Rotation(axis) if N == 2 => {
+            format!("{turns} about {} {length}", spot(&axis.axis_point, size))
         }
-        FreeMotion::Rotation { center, axis: Some(axis), pitch } => {
-            let (axis, center) = (spot(axis, 1.0), spot(center, size));
-            let turn = format!("turn about the axis along {axis} through {center} {length}");
-            match pitch {
-                Some(pitch) if pitch.abs() > INVISIBLE * size => {
-                    format!("{turn}, moving {} {length} along it per rad", digits(*pitch))
-                }
-                _ => turn,
+        FreeMotion::Rotation(AxisReport { direction, axis_point, pitch }) => {
+            let (along, through) = (spot(direction, 1.0), spot(axis_point, size));
+            let turns = format!("{turns} about the axis along {along} through {through} {length}");
+            if pitch.abs() <= INVISIBLE * size {
+                return turns;
             }
+            format!("{turns}, moving {} {length} along it per rad", digits(*pitch))
         }
     }
-}
-
-/// The part is free to move; unless it only seems so, because the preloads that would hold it
-/// have too few digits to balance.
-fn free_to<const N: usize, const M: usize>(analysis: &Analysis<'_, N, M>, motion: &str) -> String {
-    let by_preload = matches!(analysis.stability, Stability::SecondOrder);
-    let first = analysis.order_chosen && matches!(analysis.order, Order::First);
-    if !(by_preload && first) || analysis.equilibrium.holds {
-        return format!("the grasp is not stable: the part is free to {motion}");
-    }
-    let left = analysis.equilibrium.relative_force.max(analysis.equilibrium.relative_torque);
-    let forces = forces(analysis);
-    format!(
-        "to first order the part is free to {motion}; the {forces} would hold it, but are out of \
-         balance by {left:.1e} of their total (at most {BALANCED:.1e} is allowed): give more \
-         digits, or ask for --order second"
-    )
 }
 
 fn warnings<const N: usize, const M: usize>(analysis: &Analysis<'_, N, M>) -> Vec<String> {
@@ -208,7 +265,7 @@ fn warnings<const N: usize, const M: usize>(analysis: &Analysis<'_, N, M>) -> Ve
         });
     }
     let margin = analysis.preloads.best.as_ref().map(|best| best.margin);
-    if margin.is_some_and(|t| (-NO_SHARE..=NO_SHARE).contains(&t)) {
+    if !analysis.loaded && margin.is_some_and(|t| (-NO_SHARE..=NO_SHARE).contains(&t)) {
         warnings.push(
             "the grasp is at the limit of what can hold: when the forces balance, a finger \
              barely presses"

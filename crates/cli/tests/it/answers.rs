@@ -146,7 +146,8 @@ fn text_and_json_agree() {
         "center of compliance  (6.15385, 5.53846) L",
         "to corner 1 at (13, 0) L, the farthest",
         "that of the file",
-        "-8.8  13.6  218.8",
+        "              x [L]  y [L]  rot [rad]",
+        "torque [F L]  -8.8   13.6   218.8",
     ] {
         assert!(analysis.out.contains(piece), "{piece}: {}", analysis.out);
     }

@@ -78,8 +78,47 @@ fn the_file_of_the_guide_is_read_and_is_not_stable() {
     folder.write("grasp.toml", files[0]);
     let grasp = folder.run("analyze grasp.toml");
     assert_eq!(grasp.code, Some(3));
-    for number in ["0.00277514", "27025.7", "-5.88331", "176.467", "slide along (0, 1, 0)"] {
+    for number in ["0.00277514", "27025.7", "-5.88331", "176.467", "pushed away along (0, 1, 0)"] {
         assert!(grasp.out.contains(number), "{number} in {}", grasp.out);
+    }
+}
+
+/// The indented lines of the help after a line that starts with `title`, up to the next text.
+fn indented<'a>(help: &'a str, title: &str) -> Vec<&'a str> {
+    let lines = help.lines().skip_while(|line| !line.starts_with(title)).skip(1);
+    lines.take_while(|line| line.is_empty() || line.starts_with("  ")).collect()
+}
+
+/// The grasp of the help, as it stands and with each of the alternatives in its comments.
+#[test]
+fn the_files_of_the_help_are_read() {
+    let folder = Folder::new("help-files");
+    let help = folder.run("analyze --help").out;
+    let part = indented(&help, "A part file").join("\n");
+    let grasp = indented(&help, "A grasp file");
+    let (comments, given): (Vec<&str>, Vec<&str>) =
+        grasp.into_iter().partition(|line| line.starts_with("  # "));
+    let mut files = vec![given.join("\n")];
+    // In the plane, a finger of two curvatures is none.
+    for comment in comments.iter().filter(|line| !line.contains("curvatures")) {
+        let other = comment.replacen("# ", "", 1);
+        let field = |line: &str| line.split_whitespace().next().unwrap_or("").to_owned();
+        let named = |name: &str| given.iter().position(|line| field(line) == name);
+        let mut lines = given.clone();
+        // An inward normal is instead of an edge.
+        lines[named(&field(&other)).or(named("edge")).unwrap()] = &other;
+        files.push(lines.join("\n"));
+    }
+    assert_eq!(files.len(), 5);
+    for kind in ["linear", "power", "hertz", "line", "inward_normal"] {
+        assert!(files.iter().any(|file| file.contains(kind)), "{kind}");
+    }
+    for file in files {
+        folder.write("grasp.toml", format!("{part}\n{file}\n"));
+        let ran = folder.run("analyze grasp.toml");
+        // One finger does not hold the part.
+        assert_eq!(ran.code, Some(3), "{file}: {}", ran.err);
+        assert!(ran.out.contains("preloads and loads balance"), "{}", ran.out);
     }
 }
 

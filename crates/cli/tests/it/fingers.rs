@@ -89,6 +89,12 @@ fn a_disc_on_an_edge_has_a_line_of_contact() {
     let half = (4.0 * 50.0 * 5.0 / (std::f64::consts::PI * modulus)).sqrt();
     assert_close(number(&found["half_width"]), half, ROUNDING, half, "half width");
     assert_eq!(found.get("contact_ellipse"), None);
+    let pressure = 2.0 * 50.0 / (std::f64::consts::PI * half);
+    assert_close(number(&found["peak_pressure"]), pressure, ROUNDING, pressure, "pressure");
+    let folder = Folder::new("line-text");
+    folder.write("grasp.toml", format!("{MILLIMETERS}{SQUARE}[[contacts]]\n{text}\n"));
+    let area = "contact  half the area's size [mm]  peak pressure [N/mm^2]\n0        0.0";
+    assert_says(&folder.run("analyze grasp.toml").out, &[area]);
     let law = "law = { kind = \"hertz\", effective_modulus = 1e5, relative_radius = 5 }";
     let text = format!("point = [7, 0]\nfinger = {{ radius = 5 }}\npreload = 400\n{law}");
     let found = contact("round", &format!("{MILLIMETERS}{SQUARE}"), &text);

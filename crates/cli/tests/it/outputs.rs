@@ -133,4 +133,5 @@ fn an_ellipse_is_drawn_with_fingers_of_every_curvature() {
         assert!(svg.contains(piece), "{piece} is missing");
     }
     assert!(!svg.contains("Q =") && !svg.contains("edge"), "{svg}");
+    assert!(ran.out.contains("\nquality   of outlines only so far\n"), "{}", ran.out);
 }

@@ -227,7 +227,16 @@ fn contacts_that_hertz_does_not_know_are_refused() {
             "pointed",
             CUBE.to_owned(),
             format!("{FACE}preload = 1\n{}", hertz("effective_modulus = 1")),
-            ["contacts[0].finger", "radius of curvature 0", "other than 0"],
+            ["contacts[0].law", "has no `finger`, so it is pointed", "with a radius"],
+        ),
+        (
+            "needle",
+            CUBE.to_owned(),
+            format!(
+                "{FACE}preload = 1\nfinger = {{ radius = 0 }}\n{}",
+                hertz("effective_modulus = 1")
+            ),
+            ["contacts[0].finger", "the finger is pointed", "give it a radius"],
         ),
         (
             "flat-hertz",
@@ -236,7 +245,7 @@ fn contacts_that_hertz_does_not_know_are_refused() {
                 "{FACE}preload = 1\nfinger = {{ curvatures = [1, 0], direction = [1, 0, 0] }}\n{}",
                 hertz("effective_modulus = 1")
             ),
-            ["contacts[0].finger", "smaller relative curvature is 0", ""],
+            ["contacts[0].finger", "touch along a line", "touch at a point"],
         ),
         (
             "planar-hertz",
@@ -274,7 +283,13 @@ fn materials_that_are_none_are_refused() {
             "material",
             in_millimeters(CUBE),
             format!("{FACE}{BALL}{}", hertz("finger = \"steel\", part = \"unobtainium\"")),
-            ["contacts[0].law.part", "no material has this name", "steel, stainless steel"],
+            ["contacts[0].law.part", "found `unobtainium`, but no", "steel, stainless steel"],
+        ),
+        (
+            "british",
+            in_millimeters(CUBE),
+            format!("{FACE}{BALL}{}", hertz("finger = \"aluminium 6061\", part = \"steel\"")),
+            ["contacts[0].law.finger", "`aluminium 6061`", "did you mean `aluminum 6061`?"],
         ),
         (
             "units",
@@ -286,6 +301,14 @@ fn materials_that_are_none_are_refused() {
                 "um, mm, cm, m, in, ft and the forces mN, N, kN, kgf, lbf",
             ],
         ),
+    ] {
+        refused(&format!("law-{name}"), &part, &contact, &pieces);
+    }
+}
+
+#[test]
+fn constants_that_no_material_has_are_refused() {
+    for (name, part, contact, pieces) in [
         (
             "stiffless",
             CUBE.to_owned(),

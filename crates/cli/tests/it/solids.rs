@@ -69,7 +69,7 @@ fn six_locators_have_the_stiffness_that_is_computed_by_hand() {
         list(&report["translational"]).iter().map(|p| number(&p["value"])).collect();
     assert_all_close(&sigma, &[3.0, 6.0, 9.0], ROUNDING, "sigma");
     assert_eq!(list(&report["rotational"]).len(), 3);
-    assert_eq!(report["quality"], Value::Null);
+    assert_eq!((&report["quality"], &report["sigma_min"]), (&Value::Null, &sigma[0].into()));
     assert_eq!(numbers(&report["frame"]["rotation_vector"]), [0.0; 3]);
 }
 
@@ -87,6 +87,12 @@ fn a_frame_of_space_changes_coordinates_and_no_invariants() {
     let [x, y, z] = [0, 1, 2].map(|i| number(&here["center"][i]));
     let center = [y - 2.0, 1.0 - x, z - 3.0];
     assert_all_close(&numbers(&there["center"]), &center, 4.0 * f64::EPSILON, "center");
+    // Each axis is given by its point nearest to the origin.
+    for principal in list(&there["rotational"]) {
+        let (along, point) = (numbers(&principal["direction"]), numbers(&principal["axis_point"]));
+        let across = along.iter().zip(&point).map(|(a, b)| a * b).sum();
+        assert_close(across, 0.0, ROUNDING, 1.0, "nearest");
+    }
     // The new x is the old y, the new y the old -x.
     let k = numbers(&there["stiffness"]);
     assert_all_close(&[k[0], k[7], k[14]], &[6.0, 3.0, 9.0], ROUNDING, "translational block");
@@ -104,10 +110,10 @@ fn a_free_turn_has_its_axis() {
     assert!(ran.err.contains("free to turn about the axis along (0, 0, "), "{}", ran.err);
     let motion = &ran.json()["free_motion"];
     assert_eq!(motion["kind"], "rotation");
-    let (axis, center) = (numbers(&motion["axis"]), numbers(&motion["center"]));
+    let (axis, point) = (numbers(&motion["direction"]), numbers(&motion["axis_point"]));
     assert_all_close(&[axis[0], axis[1], axis[2].abs()], &[0.0, 0.0, 1.0], 1e-14, "axis");
     // Where the lines of action of the two fingers at the sides meet.
-    assert_all_close(&center[..2], &[0.5, 1.0], 1e-14, "a point of the axis");
+    assert_all_close(&point, &[0.5, 1.0, 0.0], 1e-14, "a point of the axis");
     assert_close(number(&motion["pitch"]), 0.0, 1e-14, 1.0, "pitch");
 
     let (_, ran) = cube("free-slide", &LOCATORS[..5], "");
@@ -178,8 +184,10 @@ fn text_names_the_rows_and_columns_of_space() {
         "contact  face  point [L]",
         "rot z [rad]",
         "torque x [F L]",
-        "rotational stiffness, about the axis along (",
-        "the center of compliance, if there is one",
+        "rotation  stiffness [F L]  axis along ",
+        "mu_min    1.5  ",
+        "mu_max    2  ",
+        "where force and rotation couple symmetrically",
     ] {
         assert!(text.contains(piece), "{piece} is missing in: {text}");
     }

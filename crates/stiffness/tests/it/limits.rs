@@ -174,7 +174,7 @@ fn a_positive_definite_stiffness_is_not_force_closure() {
 /// A fifth finger that presses on a side with nothing opposite carries nothing in any balance, and
 /// without it the part slides.
 #[test]
-fn a_finger_without_an_opposite_is_idle() {
+fn a_finger_without_an_opposite_is_unopposed() {
     let contacts = vec![
         finger(3.0, 0.0, 0.0, 1.0, 1.0),
         finger(7.0, 0.0, 0.0, 1.0, 1.0),
@@ -185,16 +185,38 @@ fn a_finger_without_an_opposite_is_idle() {
     let grasp = Grasp::new(contacts).unwrap();
     assert_eq!(grasp.stability(), Stability::FirstOrder);
     let preloads = grasp.preloads().unwrap();
-    assert_eq!((preloads.idle.as_slice(), preloads.force_closure), ([4].as_slice(), false));
-    let rest = grasp.retain(|contact| !preloads.idle.contains(&contact)).unwrap();
+    assert_eq!((preloads.unopposed.as_slice(), preloads.force_closure), ([4].as_slice(), false));
+    let rest = grasp.retain(|contact| !preloads.unopposed.contains(&contact)).unwrap();
     assert_eq!(rest.contacts().len(), 4);
     assert_eq!(rest.stability(), Stability::Marginal);
     assert_eq!(rest.retain(|_| false), Err(GraspError::NoContacts));
 
-    // With one opposite to it, all press.
-    let mut contacts = grasp.contacts().to_vec();
-    contacts.push(finger(10.0, 5.0, -1.0, 0.0, 0.0));
-    assert!(Grasp::new(contacts).unwrap().preloads().unwrap().idle.is_empty());
+    // With one opposite to it nothing is left to say, aligned with it or not.
+    for height in [5.0, 6.0] {
+        let mut contacts = grasp.contacts().to_vec();
+        contacts.push(finger(10.0, height, -1.0, 0.0, 0.0));
+        assert!(Grasp::new(contacts).unwrap().preloads().unwrap().unopposed.is_empty());
+    }
+    // One finger alone, and two that press the same way, are all unopposed.
+    let same = vec![finger(0.0, 0.0, 0.0, 1.0, 0.0), finger(1.0, 0.0, 0.0, 1.0, 0.0)];
+    assert_eq!(Grasp::new(same).unwrap().preloads().unwrap().unopposed, [0, 1]);
+    let one = vec![finger(0.0, 0.0, 0.0, 1.0, 0.0)];
+    assert_eq!(Grasp::new(one).unwrap().preloads().unwrap().unopposed, [0]);
+}
+
+/// Four fingers at the limit of closure, where one of them carries nothing, are opposed: moved a
+/// little along their edges they close.
+#[test]
+fn fingers_at_the_limit_of_closure_are_opposed() {
+    let contacts = vec![
+        finger(-1.0, 0.0, 1.0, 0.0, 0.0),
+        finger(1.0, 0.0, -1.0, 0.0, 0.0),
+        finger(0.5, -1.0, 0.0, 1.0, 0.0),
+        finger(-0.5, 1.0, 0.0, -1.0, 0.0),
+    ];
+    let preloads = Grasp::new(contacts).unwrap().preloads().unwrap();
+    assert!(preloads.best.unwrap().margin.abs() < 1e-15);
+    assert!(preloads.unopposed.is_empty());
 }
 
 #[test]

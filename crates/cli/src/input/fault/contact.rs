@@ -1,12 +1,14 @@
 //! What can be wrong with a contact.
 
+use std::borrow::Cow;
 use std::fmt;
 
 use clench::contact::ContactError;
 
-use crate::input::PieceKind;
+use crate::input::material;
 use crate::input::units::{forces, lengths};
-use crate::wording::digits;
+use crate::input::{Piece, PieceKind};
+use crate::wording::{digits, quoted};
 
 /// A point or a direction in a message.
 #[derive(Clone, Debug, PartialEq)]
@@ -57,8 +59,8 @@ pub(crate) enum ContactFault {
         unit: String,
     },
     /// A contact is on another edge or face than it says.
-    #[error("contact {contact} is not on {kind} {piece}: found it on {nearest}")]
-    OffPiece { contact: usize, kind: PieceKind, piece: usize, nearest: Nearest },
+    #[error("contact {contact} is not on {piece}: found it on {nearest}")]
+    OffPiece { contact: usize, piece: Piece, nearest: Nearest },
     /// An edge or face number is too large.
     #[error("found {kind} {found}, expected one from 0 to {last}")]
     NoSuchPiece { kind: PieceKind, found: u64, last: usize },
@@ -67,11 +69,11 @@ pub(crate) enum ContactFault {
     WrongPiece { found: PieceKind, kind: Option<PieceKind> },
     /// A contact at a corner, which has no normal.
     #[error(
-        "contact {contact} is where {kind}s {first} and {second} meet: expected {} or an \
-         `inward_normal` that says which of them it presses on",
-        named(*.kind)
+        "contact {contact} is where {}s {} and {} meet: expected {} or an `inward_normal` that \
+         says which of them it presses on",
+        .first.kind, .first.number, .second.number, named(.first.kind)
     )]
-    AmbiguousPiece { contact: usize, kind: PieceKind, first: usize, second: usize },
+    AmbiguousPiece { contact: usize, first: Piece, second: Piece },
     /// A normal that is not that of the boundary.
     #[error(
         "found the inward normal {found} of contact {contact}, expected {expected}, that of {at}"
@@ -101,6 +103,15 @@ pub(crate) enum ContactFault {
     /// A line contact that is none.
     #[error("a `line` contact is that of a disc on a straight edge, found {found}")]
     LineOnOther { found: &'static str },
+    /// A finger that is not described is pointed, which Hertz' law does not know.
+    #[error(
+        "contact {contact} has no `finger`, so it is pointed, but Hertz' law needs a smooth \
+         boundary: expected a `finger` with a radius or curvatures"
+    )]
+    PointedByDefault { contact: usize },
+    /// There is no material of this name.
+    #[error("found {}, but no material has this name; known are {}", quoted(found), materials())]
+    UnknownMaterial { found: String, nearest: Option<&'static str> },
     /// A name of a material without the sizes of the units.
     #[error(
         "a material by its name needs units of known size, found length `{length}` and force \
@@ -113,18 +124,21 @@ pub(crate) enum ContactFault {
 
 /// What of the boundary is near.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Nearest(pub(crate) Option<(PieceKind, usize)>);
+pub(crate) struct Nearest(pub(crate) Option<Piece>);
 
 impl ContactFault {
-    pub(super) fn help(&self) -> Option<&'static str> {
-        match self {
-            Self::OtherNormal { .. } => Some("leave `inward_normal` out: it follows from the part"),
-            Self::Apart { .. } => Some("move the center nearer, or give a `point` and a `preload`"),
-            Self::UnknownUnits { .. } => {
-                Some("name the units, or give { young = .., poisson = .. }")
+    pub(super) fn help(&self) -> Option<Cow<'static, str>> {
+        let fixed = match self {
+            Self::OtherNormal { .. } => "leave `inward_normal` out: it follows from the part",
+            Self::Apart { .. } => "move the center nearer, or give a `point` and a `preload`",
+            Self::UnknownMaterial { nearest: Some(nearest), .. } => {
+                return Some(Cow::Owned(format!("did you mean `{nearest}`?")));
             }
-            _ => None,
-        }
+            Self::UnknownMaterial { nearest: None, .. } => "give { young = .., poisson = .. }",
+            Self::UnknownUnits { .. } => "name the units, or give { young = .., poisson = .. }",
+            _ => return None,
+        };
+        Some(Cow::Borrowed(fixed))
     }
 }
 
@@ -139,10 +153,14 @@ impl fmt::Display for Coordinates {
 impl fmt::Display for Nearest {
     fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self.0 {
-            Some((kind, number)) => write!(out, "{kind} {number}"),
+            Some(piece) => piece.fmt(out),
             None => out.write_str("the boundary"),
         }
     }
+}
+
+fn materials() -> String {
+    material::names().collect::<Vec<_>>().join(", ")
 }
 
 const fn named(kind: PieceKind) -> &'static str {

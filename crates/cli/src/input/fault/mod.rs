@@ -4,6 +4,7 @@ mod contact;
 mod mesh;
 mod part;
 
+use std::borrow::Cow;
 use std::ops::Range;
 
 use clench::stiffness::GraspError;
@@ -117,15 +118,16 @@ pub(crate) enum Fault {
 }
 
 impl Fault {
-    fn help(&self) -> Option<&'static str> {
-        match self {
+    fn help(&self) -> Option<Cow<'static, str>> {
+        let fixed = match self {
+            Self::Contact(fault) => return fault.help(),
             Self::Schema { help, .. } => *help,
             Self::NoContacts => Some("`clench optimize` finds where to put the fingers"),
             Self::Part(fault) => fault.help(),
-            Self::Contact(fault) => fault.help(),
             Self::Empty => Some("`clench --help` shows a file"),
             _ => None,
-        }
+        };
+        fixed.map(Cow::Borrowed)
     }
 }
 
