@@ -5,7 +5,8 @@ use crate::{ContactError, Elastic};
 /// A material with its elastic constants, in SI units.
 ///
 /// The values are typical ones for small strains at room temperature, with a source where there is
-/// one for just these; where a contact matters, use those of the batch. Rubbers are linear for a few percent of strain only.
+/// one for just these; where a contact matters, use those of the batch. Rubbers are linear for a
+/// few percent of strain only.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Material {
     /// The name by which [`Material::named`] finds it.
@@ -74,7 +75,8 @@ impl Material {
     ///
     /// ```
     /// use clench_contact::{Material, Units};
-    /// let steel = Material::named("steel").expect("a known name").elastic(Units::MILLIMETER_NEWTON)?;
+    /// let steel = Material::named("steel").expect("a known name");
+    /// let steel = steel.elastic(Units::MILLIMETER_NEWTON)?;
     /// assert!((steel.young_modulus() - 207e3).abs() < 1e-6); // N/mm^2
     /// # Ok::<(), clench_contact::ContactError>(())
     /// ```

@@ -27,8 +27,8 @@ impl<const N: usize, const M: usize> Grasp<N, M> {
     ///
     /// # Errors
     ///
-    /// [`GraspError::NoContacts`]; [`GraspError::OutOfRange`] when the stiffness about the contacts'
-    /// centroid is not a finite number.
+    /// [`GraspError::NoContacts`]; [`GraspError::OutOfRange`] when the stiffness about the
+    /// contacts' centroid is not a finite number.
     pub fn new(contacts: Vec<Contact<N, M>>) -> Result<Self, GraspError> {
         let count = contacts.len();
         if count == 0 {

@@ -89,8 +89,8 @@ fn two_spheres_are_those_of_finite_element_benchmarks() {
 }
 
 /// NAFEMS: a steel cylinder of radius 50 mm on an aluminum block, 35 kN per millimeter, half
-/// width 6.21 mm, pressure 3585. ANSYS VM191: two cylinders of 10 and 13 mm, 3200 N per millimeter, 1.20 mm;
-/// their relative radius is that of a disc on a straight edge.
+/// width 6.21 mm, pressure 3585. ANSYS VM191: two cylinders of 10 and 13 mm, 3200 N per millimeter,
+/// 1.20 mm; their relative radius is that of a disc on a straight edge.
 #[test]
 fn half_widths_are_those_of_finite_element_benchmarks() {
     let cases = [
