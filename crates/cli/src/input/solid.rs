@@ -94,6 +94,9 @@ fn place_of_fault(fault: &PolyhedronError) -> Place {
         | PolyhedronError::NotPlanar { face, .. }
         | PolyhedronError::FaultyFace { face, .. }
         | PolyhedronError::OpenEdge { face, .. }
+        | PolyhedronError::ZeroVolume { face, .. }
+        | PolyhedronError::InsideOut { face, .. }
+        | PolyhedronError::NestedAlike { face, .. }
         | PolyhedronError::NonManifoldEdge { faces: [_, _, face], .. }
         | PolyhedronError::FlippedNeighbor { faces: [_, face], .. } => faces.item(face),
         _ => faces,

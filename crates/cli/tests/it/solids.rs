@@ -217,7 +217,12 @@ fn surfaces_of_nothing_are_refused_with_their_place() {
     let bent = VERTICES.replace("[2, 2, 2]", "[2, 2, 2.5]");
     let infinite = VERTICES.replace("[2, 2, 2]", "[2, 2, nan]");
     for (name, vertices, faces, pieces) in [
-        ("inside-out", VERTICES, inside_out, ["part.spatial.faces: ", "inside out", "clockwise"]),
+        (
+            "inside-out",
+            VERTICES,
+            inside_out,
+            ["part.spatial.faces[0]: ", "inside out", "clockwise"],
+        ),
         (
             "open",
             VERTICES,

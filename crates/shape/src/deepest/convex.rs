@@ -76,6 +76,38 @@ pub(super) fn support<const N: usize>(points: &[Vector<N>], direction: Vector<N>
     points.iter().fold(f64::NEG_INFINITY, |m, point| m.max(point.dot(direction)))
 }
 
+/// A hull whose support function is asked for in many directions, most of which do not matter.
+///
+/// The largest product over a few of its points, those that were farthest before, is never more
+/// than over all, and rounds to no more: a direction that it rules out is ruled out.
+#[derive(Clone, Debug)]
+pub(super) struct Supported<'a, const N: usize> {
+    points: &'a [Vector<N>],
+    farthest: Vec<Vector<N>>,
+}
+
+impl<'a, const N: usize> Supported<'a, N> {
+    pub(super) fn new(points: &'a [Vector<N>]) -> Self {
+        Self { points, farthest: Vec::new() }
+    }
+
+    /// At most the support function. Cost: that of the points that were ever farthest.
+    pub(super) fn at_least(&self, direction: Vector<N>) -> f64 {
+        support(&self.farthest, direction)
+    }
+
+    /// The support function. Cost: O(n) for `n` points.
+    pub(super) fn support(&mut self, direction: Vector<N>) -> f64 {
+        let none = (f64::NEG_INFINITY, None);
+        let (largest, farthest) = self.points.iter().fold(none, |best, &point| {
+            let product = point.dot(direction);
+            if product > best.0 { (product, Some(point)) } else { best }
+        });
+        self.farthest.extend(farthest.filter(|_| largest > self.at_least(direction)));
+        largest
+    }
+}
+
 /// The `count` points nearest to the support plane of a hull in some direction, nearest first.
 pub(super) fn nearest_to_support<const N: usize>(
     points: &[Vector<N>],
@@ -117,18 +149,21 @@ pub(super) fn least_overlap<const N: usize>(
     part: &[Vector<N>],
     candidates: &[Candidate<N>],
 ) -> DeepestPair<N> {
-    let pairs: Vec<(f64, DeepestPair<N>)> = candidates
-        .iter()
-        .map(|Candidate { normal: inward_normal, feature }| {
-            let inward_normal = *inward_normal;
-            let depth = finger.support(inward_normal) + support(part, -inward_normal);
-            let on_finger = finger.center() + finger.support_offset(inward_normal);
-            let on_part = on_finger - inward_normal * depth;
-            let pair = DeepestPair { depth, inward_normal, on_finger, on_part };
-            (distance_to(feature, on_part), pair)
-        })
-        .collect();
-    let least = pairs.iter().fold(f64::INFINITY, |least, (_, pair)| least.min(pair.depth));
+    let mut hull = Supported::new(part);
+    let mut least = f64::INFINITY;
+    let mut pairs = Vec::new();
+    for Candidate { normal, feature } in candidates {
+        let (inward_normal, ours) = (*normal, finger.support(*normal));
+        if ours + hull.at_least(-inward_normal) > least + LEVEL {
+            continue;
+        }
+        let depth = ours + hull.support(-inward_normal);
+        least = least.min(depth);
+        let on_finger = finger.center() + finger.support_offset(inward_normal);
+        let on_part = on_finger - inward_normal * depth;
+        let pair = DeepestPair { depth, inward_normal, on_finger, on_part };
+        pairs.push((distance_to(feature, on_part), pair));
+    }
     let none = DeepestPair {
         depth: least,
         inward_normal: Vector::ZERO,
@@ -162,5 +197,30 @@ fn distance_to<const N: usize>(feature: &[Vector<N>], point: Vector<N>) -> f64 {
             if inside { (w - u * second - v * third).norm() } else { f64::INFINITY }
         }
         _ => f64::INFINITY,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use clench_testkit::Random;
+
+    use super::{Supported, Vector, support};
+
+    #[test]
+    fn a_bound_from_few_points_rules_out_no_direction_below_it() {
+        let r = &mut Random::new(58);
+        let points: Vec<Vector<3>> = (0..20_000).map(|_| Vector::new(r.array(1.0))).collect();
+        let mut hull = Supported::new(&points);
+        let (mut least, mut expected, mut asked) = (f64::INFINITY, f64::INFINITY, 0);
+        for _ in 0..2000 {
+            let direction = Vector::new(r.array(1.0));
+            expected = expected.min(support(&points, direction));
+            if hull.at_least(direction) < least {
+                least = least.min(hull.support(direction));
+                asked += 1;
+            }
+        }
+        assert_eq!(least.to_bits(), expected.to_bits());
+        assert!(asked < 100, "all points were asked {asked} times");
     }
 }

@@ -7,7 +7,7 @@ use parry3d_f64::shape::SupportMap;
 
 use super::DeepestPair;
 use super::convex::{
-    Candidate, Convex, SHARE_ROUNDING, least_overlap, nearest_to_support, support,
+    Candidate, Convex, SHARE_ROUNDING, Supported, least_overlap, nearest_to_support, support,
 };
 use super::ellipsoids::normals_at_point;
 use crate::Ellipsoid;
@@ -27,7 +27,12 @@ const MAX_ROUNDS: usize = 20;
 /// least overlap is known: that of the point of the ellipsoid nearest to the vertex, the same in
 /// the shadow along the edge, and that of the face.
 pub(crate) fn ellipsoid_and_points(finger: &Ellipsoid<3>, part: &[Vector<3>]) -> DeepestPair<3> {
-    let overlap = |m: Vector<3>| finger.support(m) + support(part, -m);
+    let mut hull = Supported::new(part);
+    let overlap = |m: Vector<3>, limit: f64| {
+        let ours = finger.support(m);
+        let can_be_less = ours + hull.at_least(-m) < limit;
+        can_be_less.then(|| ours + hull.support(-m))
+    };
     let normals = |m| candidates(finger, part, m).into_iter().map(|one| one.normal).collect();
     let approximate = third_party(&Convex::Ellipsoid(*finger), &Convex::Points(part.to_vec()));
     let toward = (part[0] - finger.center()).direction();
@@ -63,7 +68,11 @@ fn candidates(finger: &Ellipsoid<3>, part: &[Vector<3>], m: Vector<3>) -> Vec<Ca
 /// The differences of their points span one polytope, and the overlap is how deep the origin is
 /// inside. The approximate normal of the third party says which of its vertices are near.
 pub(crate) fn points_in_space(finger: &[Vector<3>], part: &[Vector<3>]) -> DeepestPair<3> {
-    let overlap = |m: Vector<3>| support(finger, m) + support(part, -m);
+    let (mut one, mut other) = (Supported::new(finger), Supported::new(part));
+    let overlap = |m: Vector<3>, limit: f64| {
+        let can_be_less = one.at_least(m) + other.at_least(-m) < limit;
+        can_be_less.then(|| one.support(m) + other.support(-m))
+    };
     let normals = |m: Vector<3>| {
         let near = near_differences(finger, part, m);
         features(&near).into_iter().flat_map(|feature| normals_of(&feature)).collect()
@@ -88,21 +97,28 @@ pub(crate) fn points_in_space(finger: &[Vector<3>], part: &[Vector<3>]) -> Deepe
 }
 
 /// The least overlap found from the starts, and its normal.
+///
+/// `overlap` is that of a normal, or none if that is known not to be below some limit.
 fn sharpened(
     starts: impl Iterator<Item = Vector<3>>,
-    overlap: impl Fn(Vector<3>) -> f64,
+    mut overlap: impl FnMut(Vector<3>, f64) -> Option<f64>,
     normals: impl Fn(Vector<3>) -> Vec<Vector<3>>,
 ) -> (f64, Vector<3>) {
     let mut least = (f64::INFINITY, Vector::new([1.0, 0.0, 0.0]));
     for start in starts {
-        let mut at = (overlap(start), start);
-        for _ in 0..MAX_ROUNDS {
-            let tried = normals(at.1).into_iter().map(|normal| (overlap(normal), normal));
-            let next = tried.fold(at, |best, next| if next.0 < best.0 { next } else { best });
-            if next.0 >= at.0 {
+        let mut at = (f64::INFINITY, start);
+        let mut tried = vec![start];
+        for _ in 0..=MAX_ROUNDS {
+            let before = at.0;
+            for normal in tried {
+                if let Some(depth) = overlap(normal, at.0).filter(|depth| *depth < at.0) {
+                    at = (depth, normal);
+                }
+            }
+            if at.0 >= before {
                 break;
             }
-            at = next;
+            tried = normals(at.1);
         }
         least = if at.0 < least.0 { at } else { least };
     }

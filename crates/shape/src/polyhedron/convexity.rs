@@ -6,11 +6,12 @@ use super::Face;
 use super::face::FLAT_ROUNDING;
 use super::validity::SolidEdge;
 
-/// Whether a closed surface is the boundary of a convex solid, to the rounding of its coordinates.
+/// Whether a closed surface in one piece is the boundary of a convex solid, to the rounding of its
+/// coordinates.
 ///
-/// That is so if the surface is in one piece and bends outward at each edge: neither of its two
-/// faces has a corner above the plane of the other. (A closed surface that is convex around each
-/// of its points is convex: H. Tietze and S. Nakajima, 1928.)
+/// That is so if it bends outward at each edge: neither of its two faces has a corner above the
+/// plane of the other. (A closed surface that is convex around each of its points is convex:
+/// H. Tietze and S. Nakajima, 1928.)
 pub(super) fn is_convex(vertices: &[Vector<3>], faces: &[Face], edges: &[SolidEdge]) -> bool {
     let level = |face: usize| {
         let corners = faces[face].vertices().iter();
@@ -25,28 +26,5 @@ pub(super) fn is_convex(vertices: &[Vector<3>], faces: &[Face], edges: &[SolidEd
         let [one, other] = edge.faces;
         below(one, other) && below(other, one)
     };
-    edges.iter().all(bends_out) && is_in_one_piece(faces.len(), edges)
-}
-
-/// Whether one can walk from each face to each other over edges.
-fn is_in_one_piece(count: usize, edges: &[SolidEdge]) -> bool {
-    let mut leaders: Vec<usize> = (0..count).collect();
-    let mut pieces = count;
-    for edge in edges {
-        let [one, other] = edge.faces.map(|face| leader(&mut leaders, face));
-        if one != other {
-            leaders[one.max(other)] = one.min(other);
-            pieces -= 1;
-        }
-    }
-    pieces == 1
-}
-
-/// The face that stands for the piece of `face`; the way there is halved for the next time.
-fn leader(leaders: &mut [usize], mut face: usize) -> usize {
-    while leaders[face] != face {
-        leaders[face] = leaders[leaders[face]];
-        face = leaders[face];
-    }
-    face
+    edges.iter().all(bends_out)
 }

@@ -10,18 +10,6 @@ use crate::PolygonError;
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum PolyhedronError {
-    /// There are too few vertices to enclose anything.
-    #[error("found {count} vertices, but a solid needs at least 4")]
-    TooFewVertices {
-        /// The number of vertices given.
-        count: usize,
-    },
-    /// There are too few faces to enclose anything.
-    #[error("found {count} faces, but a solid needs at least 4")]
-    TooFewFaces {
-        /// The number of faces given.
-        count: usize,
-    },
     /// A coordinate is infinite or not a number.
     #[error("{axis} of vertex {vertex} is {value}, not a finite number")]
     NotFinite {
@@ -58,6 +46,18 @@ pub enum PolyhedronError {
         /// What was found.
         value: f64,
     },
+    /// There are too few vertices to enclose anything.
+    #[error("found {count} vertices, but a solid needs at least 4")]
+    TooFewVertices {
+        /// The number of vertices given.
+        count: usize,
+    },
+    /// There are too few faces to enclose anything.
+    #[error("found {count} faces, but a solid needs at least 4")]
+    TooFewFaces {
+        /// The number of faces given.
+        count: usize,
+    },
     /// A face has too few corners to have an area.
     #[error("face {face} has {count} corners, but needs at least 3")]
     TooFewCorners {
@@ -87,7 +87,7 @@ pub enum PolyhedronError {
     /// Two vertices that faces use are the same point, so that neighbors do not know each other.
     #[error(
         "vertices {first} and {second} are the same point; \
-         join them, as `Polyhedron::from_triangles` does"
+         give it once, and let all faces that meet there name it by one number"
     )]
     EqualVertices {
         /// The first of them.
@@ -169,24 +169,42 @@ pub enum PolyhedronError {
         /// The two faces, the lower number first.
         faces: [usize; 2],
     },
-    /// The surface encloses nothing, to the rounding of the coordinates.
+    /// A shell, faces joined by edges, encloses nothing, to the rounding of the coordinates.
     #[error(
-        "the solid is flat: it encloses a volume of {volume:e}, \
-         which coordinates of its size round to ({allowed:e})"
+        "the solid is flat at face {face}: with all faces joined to it, it encloses a volume of \
+         {volume:e}, which coordinates of its size round to ({allowed:e})"
     )]
     ZeroVolume {
+        /// The first face of the first such shell.
+        face: usize,
         /// The volume found (length cubed).
         volume: f64,
         /// The volume that counts as none (length cubed).
         allowed: f64,
     },
-    /// All faces are wound clockwise seen from outside.
+    /// All faces of a shell that is not inside another are wound clockwise seen from outside.
     #[error(
-        "the solid is inside out: its volume is {volume:e}, since its faces run clockwise seen \
-         from outside; reverse the corners of all faces"
+        "the solid is inside out at face {face}: with all faces joined to it, it encloses a \
+         volume of {volume:e}, since they run clockwise seen from outside; \
+         reverse the corners of all of them"
     )]
     InsideOut {
-        /// The volume found (length cubed).
+        /// The first face of the shell.
+        face: usize,
+        /// The volume that the shell encloses (length cubed).
         volume: f64,
+    },
+    /// A shell is inside another and wound like it, so that the material would be on both sides,
+    /// or on neither.
+    #[error(
+        "face {face} and all faces joined to it are inside the surface of face {around} and \
+         wound the same way; if they are a cavity, or a piece in one, \
+         reverse the corners of all of them, else leave them out"
+    )]
+    NestedAlike {
+        /// The first face of the inner shell.
+        face: usize,
+        /// The first face of the next shell around it.
+        around: usize,
     },
 }

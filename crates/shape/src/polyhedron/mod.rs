@@ -4,6 +4,7 @@ mod convexity;
 mod error;
 mod face;
 mod place;
+mod shells;
 mod surface;
 mod validity;
 
@@ -16,6 +17,7 @@ pub use face::Face;
 pub use place::{FaceFeature, FacePlace};
 
 use crate::deepest::Surface;
+use shells::Shells;
 use surface::{FaceTree, Feature};
 use validity::SolidEdge;
 
@@ -33,11 +35,12 @@ pub const SMALLEST_SOLID_COORDINATE: f64 = 1e-100;
 /// A solid enclosed by flat faces: convex or not, with holes or not.
 ///
 /// Vertices and faces keep the numbers they were given in, from 0. A face has any number of
-/// corners and may be hollow, but has no holes; the triangles of a mesh are faces too. Cavities
-/// inside the solid are surfaces of their own, with their faces seen from the cavity.
+/// corners and may be hollow, but has no holes; the triangles of a mesh are faces too. Faces joined
+/// by edges are a shell. Each cavity has a shell of its own, with its faces seen from the cavity,
+/// and so has each piece of a solid in several.
 ///
-/// A surface that exists is closed and consistently wound. That it does not cross itself is not
-/// checked.
+/// A surface that exists is closed, and all of its shells are wound for the material to be on one
+/// side. That it does not cross or touch itself is not checked.
 ///
 /// ```
 /// use clench_shape::Polyhedron;
@@ -73,18 +76,23 @@ impl PartialEq for Polyhedron {
 
 impl Polyhedron {
     /// The solid with these vertices (length) and these faces, lists of vertices from 0 that run
-    /// counter-clockwise seen from outside.
+    /// counter-clockwise seen from where no material is: from outside, or from a cavity.
     ///
-    /// Vertices that no face uses are fine. Cost: O(n log n) for faces with `n` corners together.
+    /// A shell inside an even number of others is taken for the outside of a piece and has to
+    /// enclose a positive volume, one inside an odd number for a cavity. Shells that touch at all
+    /// vertices or cross are not told apart; only the volume of all together has to be positive.
+    /// Vertices that no face uses are fine. Cost: O(n log n) for faces with `n` corners together;
+    /// with several shells also that of a ray from a vertex of each.
     ///
     /// # Errors
     ///
     /// The first fault found, in the order of the variants of [`PolyhedronError`]; of faults of
-    /// edges, the one of the edge with the lowest vertices.
+    /// edges, the one of the edge with the lowest vertices; of shells, the outermost.
     pub fn new(vertices: &[[f64; 3]], faces: &[Vec<usize>]) -> Result<Self, PolyhedronError> {
-        validity::check_counts(vertices.len(), faces.len())?;
         let vertices: Vec<Vector<3>> = vertices.iter().map(|&v| v.into()).collect();
+        // First: corners that are no numbers make the vertices of a mesh miscounted.
         validity::check_coordinates(&vertices)?;
+        validity::check_counts(vertices.len(), faces.len())?;
         validity::check_corners(vertices.len(), faces)?;
         let used = validity::used_vertices(&vertices, faces)?;
         let built = faces.iter().enumerate().map(|(i, corners)| Face::new(&vertices, i, corners));
@@ -92,12 +100,16 @@ impl Polyhedron {
         let (edges, faces) = (validity::joined_edges(faces)?, built);
         let largest = used.iter().fold(0.0_f64, |m, &v| m.max(vertices[v].max_abs()));
         let box_center = center_of_box(&vertices, &used);
-        let volume = validity::checked_volume(&faces, box_center, largest)?;
+        let first_faces = shells::first_faces(faces.len(), &edges);
+        let tree = FaceTree::new(&vertices, &faces, largest);
+        let shells =
+            Shells { vertices: &vertices, faces: &faces, first_faces: &first_faces, tree: &tree };
+        let volume = shells.checked_volume(box_center, largest)?;
         let distances = used.iter().map(|&v| (vertices[v] - box_center).norm());
         let enclosing_radius = distances.fold(0.0, f64::max);
-        let is_convex = convexity::is_convex(&vertices, &faces, &edges);
+        let is_one_piece = first_faces.iter().all(|&first| first == 0);
+        let is_convex = is_one_piece && convexity::is_convex(&vertices, &faces, &edges);
         let vertex_normals = surface::vertex_normals(&vertices, &faces);
-        let tree = FaceTree::new(&vertices, &faces, largest);
         Ok(Self {
             vertices,
             used,

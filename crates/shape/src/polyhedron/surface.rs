@@ -49,6 +49,22 @@ impl FaceTree {
             .collect();
         Self { boxes: Bvh::from_leaves(BvhBuildStrategy::Binned, &boxes), scale }
     }
+
+    /// The faces whose boxes, wider by `margin` to all sides, the ray from `point` along the
+    /// x axis meets.
+    pub(super) fn along_x(
+        &self,
+        point: Vector<3>,
+        margin: f64,
+    ) -> impl Iterator<Item = usize> + '_ {
+        let (at, margin) = (to_parry(point * self.scale), margin * self.scale);
+        let meets = move |node: &BvhNode| {
+            let (low, high) = (node.mins() - margin, node.maxs() + margin);
+            let beside = at.y < low.y || at.y > high.y || at.z < low.z || at.z > high.z;
+            at.x <= high.x && !beside
+        };
+        self.boxes.leaves(meets).map(|face| face as usize)
+    }
 }
 
 /// A candidate for the nearest foot; its cost is the distance in the units of the tree.
@@ -83,7 +99,7 @@ pub(super) fn nearest(solid: &Polyhedron, point: Vector<3>) -> (usize, Foot) {
 }
 
 /// The point of a face nearest to `point`.
-fn foot_on(vertices: &[Vector<3>], face: &Face, point: Vector<3>) -> Foot {
+pub(super) fn foot_on(vertices: &[Vector<3>], face: &Face, point: Vector<3>) -> Foot {
     let depth = face.inward_normal().dot(point - face.point());
     let level = point - face.inward_normal() * depth;
     if face.encloses(vertices, level) {

@@ -5,7 +5,7 @@ use std::cmp::Ordering;
 use clench_screw::Vector;
 
 use super::face::edges_of;
-use super::{Face, LARGEST_SOLID_COORDINATE, PolyhedronError, SMALLEST_SOLID_COORDINATE};
+use super::{LARGEST_SOLID_COORDINATE, PolyhedronError, SMALLEST_SOLID_COORDINATE};
 
 /// An edge of a solid, and the two faces that it joins.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -137,29 +137,4 @@ fn joined(runs: &[Run]) -> Result<SolidEdge, PolyhedronError> {
             count: runs.len(),
         }),
     }
-}
-
-/// The volume that rounded coordinates may add to a flat solid, over the area of its faces: a
-/// shift of each face by two roundings of a coordinate and two of the arithmetic.
-const VOLUME_ROUNDING: f64 = 4.0 * f64::EPSILON;
-
-/// The volume, a third of the areas times their heights over a `center` near the solid.
-pub(super) fn checked_volume(
-    faces: &[Face],
-    center: Vector<3>,
-    largest: f64,
-) -> Result<f64, PolyhedronError> {
-    let (mut volume, mut area) = (0.0, 0.0);
-    for face in faces {
-        volume -= face.inward_normal().dot(face.point() - center) * face.area() / 3.0;
-        area += face.area();
-    }
-    let allowed = VOLUME_ROUNDING * area * largest;
-    if volume.abs() <= allowed {
-        return Err(PolyhedronError::ZeroVolume { volume, allowed });
-    }
-    if volume < 0.0 {
-        return Err(PolyhedronError::InsideOut { volume });
-    }
-    Ok(volume)
 }

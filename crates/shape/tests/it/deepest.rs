@@ -11,7 +11,7 @@ use clench_shape::{
 use clench_testkit::cases::{Value, array, matching, number};
 use clench_testkit::{Random, assert_all_close, assert_close};
 
-use crate::solids::{cuboid, prism, ring, rough_ball, solid};
+use crate::solids::{cuboid, globe, prism, ring, rough_ball, solid};
 
 /// An overlap is a sum of a few terms of the size of the bodies and their distance, and does not
 /// change with the normal to first order.
@@ -396,6 +396,41 @@ fn a_hull_of_many_points_touches_like_the_mesh_that_it_is() {
     );
     assert_close(one.depth, other.depth, ROUNDING, 2.0, "ball");
     assert_all_close(&one.on_part.to_array(), &other.on_part.to_array(), NORMAL, "ball");
+}
+
+#[test]
+fn a_mesh_of_a_hundred_thousand_triangles_overlaps_like_the_ellipsoid_that_it_is() {
+    let (n, axes, smaller) = (224, [1.0, 1.25, 0.75], [0.5, 0.25, 0.375]);
+    let mesh =
+        |axes| Solid::from(clench_shape::Polyhedron::from_triangles(&globe(n, axes)).unwrap());
+    let round = |axes| Solid::Ellipsoid(Ellipsoid::new(Vector::ZERO, axes).unwrap());
+    let (part, smooth) = (mesh(axes), round(axes));
+    let cube = PointHull::new(&cuboid([0.5, 0.25, 0.75]).0).unwrap();
+    let fingers = [
+        [round(smaller), round(smaller)],
+        [Solid::Hull(cube.clone()), Solid::Hull(cube)],
+        [mesh(smaller), round(smaller)],
+    ];
+    // Between its meridians and its steps a mesh is inside the ball that it is stretched from by
+    // the sagitta of an arc of 1 / n turns and one of half of that, for both bodies.
+    let arc = TAU / n as f64;
+    let sagitta = 1.25 * (arc * arc / 8.0 + arc * arc / 32.0) * 2.0;
+    let r = &mut Random::new(57);
+    for round in 0..8 {
+        let origin = Vector::<3>::new(r.array(1.0));
+        let reach = r.between(1.0, 3.0) / origin.norm();
+        let pose = spatial::Frame::new((origin * reach).to_array(), r.array(2.0));
+        for [finger, shape] in &fingers {
+            let (finger, shape) = (finger.placed(&pose), shape.placed(&pose));
+            let pair = clench_shape::spatial::deepest_pair(&finger, &part).unwrap();
+            let limit = clench_shape::spatial::deepest_pair(&shape, &smooth).unwrap();
+            let inside = limit.depth - pair.depth;
+            assert!((-ROUNDING..=sagitta).contains(&inside), "{round}: {inside:e} of {sagitta:e}");
+            let a = |m: Vector<3>| solid_support(&finger, m);
+            let b = |m: Vector<3>| solid_support(&part, m);
+            pair_laws(&pair, [&a, &b], &solid_directions(r, 20), 4.0, &format!("{round}"));
+        }
+    }
 }
 
 #[test]

@@ -15,4 +15,6 @@ mod laws;
 mod limits;
 mod polyhedron;
 mod polyhedron_limits;
+mod shells;
 mod solids;
+mod split_sides;

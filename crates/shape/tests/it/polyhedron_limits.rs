@@ -54,6 +54,22 @@ fn coordinates_out_of_range_are_named_with_their_place() {
 }
 
 #[test]
+fn corners_that_are_no_numbers_are_not_counted_as_one_vertex() {
+    // As a file may have them: all six equal to one another, bit for bit.
+    let nan = [f64::NAN; 3];
+    let triangles = [[nan, nan, nan], [nan, nan, nan], [[0.0; 3], [1.0, 0.0, 0.0], nan]];
+    let fault = Polyhedron::from_triangles(&triangles).unwrap_err();
+    assert_eq!(fault.to_string(), "x of vertex 0 is NaN, not a finite number");
+}
+
+#[test]
+fn messages_name_no_functions() {
+    let fault = PolyhedronError::EqualVertices { first: 2, second: 6 }.to_string();
+    assert!(fault.starts_with("vertices 2 and 6 are the same point; give it once"), "{fault}");
+    assert!(!fault.contains("::"), "{fault}");
+}
+
+#[test]
 fn faces_name_each_of_their_vertices_once() {
     let mesh = changed(|mesh| mesh.1[3] = vec![1, 2, 4]);
     refused(&mesh, PolyhedronError::NoSuchVertex { face: 3, vertex: 4, count: 4 });
@@ -136,10 +152,10 @@ fn flat_and_inside_out_solids_are_told_apart() {
     let vertices = vec![[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [1.0, 1.0, 0.0], [0.0, 1.0, 0.0]];
     let faces = vec![vec![0, 1, 2], vec![0, 2, 3], vec![1, 0, 3], vec![1, 3, 2]];
     let allowed = 4.0 * f64::EPSILON * 2.0;
-    refused(&(vertices, faces), PolyhedronError::ZeroVolume { volume: 0.0, allowed });
+    refused(&(vertices, faces), PolyhedronError::ZeroVolume { face: 0, volume: 0.0, allowed });
     let inside_out = changed(|mesh| mesh.1.iter_mut().for_each(|face| face.reverse()));
-    let Err(PolyhedronError::InsideOut { volume }) = Polyhedron::new(&inside_out.0, &inside_out.1)
-    else {
+    let found = Polyhedron::new(&inside_out.0, &inside_out.1);
+    let Err(PolyhedronError::InsideOut { face: 0, volume }) = found else {
         panic!("an inside-out solid was accepted");
     };
     assert_close(volume, -1.0 / 6.0, f64::EPSILON, 1.0, "volume");

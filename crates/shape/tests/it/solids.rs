@@ -70,6 +70,28 @@ pub(crate) fn rough_ball(r: &mut Random, splits: usize, peak: f64) -> Vec<[[f64;
     triangles.into_iter().map(|corners| corners.map(&mut moved)).collect()
 }
 
+/// The triangles between `n` meridians and as many steps from pole to pole of an ellipsoid: a
+/// convex mesh of `2 n (n - 1)` triangles, with its vertices on the ellipsoid.
+pub(crate) fn globe(n: usize, [a, b, c]: [f64; 3]) -> Vec<[[f64; 3]; 3]> {
+    let at = |step: usize, meridian: usize| {
+        let (sin, cos) = (TAU * (meridian % n) as f64 / n as f64).sin_cos();
+        match step {
+            0 => [0.0, 0.0, c],
+            _ if step == n => [0.0, 0.0, -c],
+            _ => {
+                let (away, up) = (0.5 * TAU * step as f64 / n as f64).sin_cos();
+                [a * away * cos, b * away * sin, c * up]
+            }
+        }
+    };
+    let between = |i: usize, j: usize| {
+        let [p, q, r, s] = [at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)];
+        let lower = (i + 1 < n).then_some([p, q, r]);
+        lower.into_iter().chain((i > 0).then_some([p, r, s]))
+    };
+    (0..n * n).flat_map(|k| between(k / n, k % n)).collect()
+}
+
 /// The same faces over turned and shifted vertices.
 pub(crate) fn turned((vertices, faces): &Mesh, pose: &spatial::Frame) -> Mesh {
     let moved = vertices.iter().map(|&v| pose.point_to_parent(v.into()).to_array());
