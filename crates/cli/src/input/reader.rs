@@ -49,8 +49,9 @@ impl Mismatch {
     }
 
     fn found(what: impl fmt::Display, expected: &dyn Expected) -> Self {
-        // Serde's own word for a list, where the schema has a `Vec`.
+        // Serde's own words, for a `Vec` and for the tag of an enum.
         let expected = expected.to_string().replace("a sequence", "a list");
+        let expected = expected.replace("variant identifier", "the name of a kind");
         Self::custom(format_args!("found {what}, expected {expected}"))
     }
 }

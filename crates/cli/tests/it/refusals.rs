@@ -215,6 +215,22 @@ fn fingers_of_space_that_cannot_be_are_refused() {
 }
 
 #[test]
+fn laws_that_are_no_tables_are_refused() {
+    for (name, law, pieces) in [
+        (
+            "list",
+            "law = [\"linear\", 1]",
+            ["contacts[0].law: found a list", "a table with a `kind`"],
+        ),
+        ("number", "law = 7", ["contacts[0].law: found a number", "a table with a `kind`"]),
+        ("no-kind", "law = { stiffness = 1 }", ["missing field `kind`", "`hertz` or `line`"]),
+        ("kind", "law = { kind = 1 }", ["contacts[0].law.kind: found a number", "name of a kind"]),
+    ] {
+        refused(name, SQUARE, &format!("{EDGE}{law}"), &pieces);
+    }
+}
+
+#[test]
 fn contacts_that_hertz_does_not_know_are_refused() {
     for (name, part, contact, pieces) in [
         (

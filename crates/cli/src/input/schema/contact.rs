@@ -18,6 +18,7 @@ pub(crate) struct Contact {
     pub(crate) inward_normal: Option<Coordinates>,
     pub(crate) edge: Option<Whole>,
     pub(crate) face: Option<Whole>,
+    #[serde(default, deserialize_with = "law_of_table")]
     pub(crate) law: Option<Law>,
     pub(crate) preload: Option<Finite>,
     pub(crate) finger: Option<Finger>,
@@ -26,7 +27,6 @@ pub(crate) struct Contact {
 /// Force as a function of overlap.
 #[derive(Clone, Debug, Deserialize, Serialize)]
 #[serde(tag = "kind", rename_all = "lowercase", deny_unknown_fields)]
-#[serde(expecting = "a table with a `kind`: `linear`, `power`, `hertz` or `line`")]
 pub(crate) enum Law {
     /// `f = stiffness * delta`.
     Linear { stiffness: Finite },
@@ -77,6 +77,25 @@ pub(crate) struct Finger {
     pub(crate) curvatures: Option<Vec<Finite>>,
     #[serde(skip_serializing)]
     pub(crate) direction: Option<Coordinates>,
+}
+
+/// A law is a table; serde would take a list for one too, its items for the fields.
+fn law_of_table<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Option<Law>, D::Error> {
+    deserializer.deserialize_any(LawVisitor).map(Some)
+}
+
+struct LawVisitor;
+
+impl<'de> Visitor<'de> for LawVisitor {
+    type Value = Law;
+
+    fn expecting(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
+        out.write_str("a table with a `kind`: `linear`, `power`, `hertz` or `line`")
+    }
+
+    fn visit_map<A: MapAccess<'de>>(self, fields: A) -> Result<Law, A::Error> {
+        Law::deserialize(MapAccessDeserializer::new(fields))
+    }
 }
 
 impl<'de> Deserialize<'de> for Material {
