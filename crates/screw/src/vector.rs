@@ -53,6 +53,17 @@ impl<const N: usize> Vector<N> {
         self.norm_squared().sqrt()
     }
 
+    /// The Euclidean length, where squares could leave the range of numbers: divided by the largest
+    /// component first.
+    #[must_use]
+    pub fn scaled_norm(self) -> f64 {
+        let size = self.max_abs();
+        if !(size > 0.0 && self.is_finite()) {
+            return self.norm();
+        }
+        Self::from_fn(|i| self.0[i] / size).norm() * size
+    }
+
     /// The vector at unit length; `None` for one that is zero or not finite.
     ///
     /// Divided by its largest component first, so that no square leaves the range of numbers.

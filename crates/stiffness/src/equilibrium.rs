@@ -60,7 +60,6 @@ impl<const N: usize, const M: usize> Grasp<N, M> {
 
 /// The size of `part` relative to `whole`; nothing of nothing is nothing.
 fn relative<const D: usize>(part: Vector<D>, whole: f64) -> f64 {
-    let largest = part.max_abs();
-    // The largest component first, so that no square leaves the range of numbers.
-    if largest <= 0.0 { 0.0 } else { largest / whole * (part * largest.recip()).norm() }
+    let size = part.scaled_norm();
+    if size <= 0.0 { 0.0 } else { size / whole }
 }

@@ -39,8 +39,7 @@ impl<const N: usize> DeadLoad<N> {
 
     /// The size of the force, and of its moment about `origin` at most.
     pub(crate) fn sizes(&self, origin: Vector<N>) -> [f64; 2] {
-        let length = |v: Vector<N>| v.direction().map_or(0.0, |direction| direction.dot(v));
-        let force = length(self.force);
-        [force, force * length(self.point - origin)]
+        let force = self.force.scaled_norm();
+        [force, force * (self.point - origin).scaled_norm()]
     }
 }

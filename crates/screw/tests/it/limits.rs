@@ -52,3 +52,17 @@ fn no_motion_and_no_load_have_no_screw() {
     assert_eq!(spatial::Twist::ZERO.screw(), Screw::Zero);
     assert_eq!(spatial::Wrench::ZERO.screw(), Screw::Zero);
 }
+
+#[test]
+fn lengths_and_directions_survive_any_size() {
+    for size in [1e-300, 1.0, 1e300] {
+        let v = Vector::new([3.0 * size, -4.0 * size]);
+        assert!((v.scaled_norm() / size - 5.0).abs() < 1e-14, "{size:e}");
+        let direction = v.direction().unwrap();
+        assert!((direction - Vector::new([0.6, -0.8])).norm() < 1e-15, "{size:e}");
+    }
+    let none = [Vector::ZERO, Vector::new([f64::NAN, 0.0]), Vector::new([f64::INFINITY, 0.0])];
+    assert_eq!(none.map(Vector::direction), [None; 3]);
+    let [zero, nan, infinite] = none.map(Vector::scaled_norm);
+    assert!(zero.to_bits() == 0 && nan.is_nan() && infinite == f64::INFINITY);
+}

@@ -137,7 +137,7 @@ impl<const N: usize> Ellipsoid<N> {
         let from_center = self.axes.transpose() * (point - self.center);
         let foot = secular::foot(self.semi_axes, from_center);
         let gradient = Vector::<N>::from_fn(|i| foot.direction[i] / self.semi_axes[i]);
-        let norm = scaled_norm(gradient);
+        let norm = gradient.scaled_norm();
         Nearest {
             boundary: self.boundary(gradient * (1.0 / norm)),
             signed_distance: foot.steps * norm,
@@ -162,7 +162,7 @@ impl<const N: usize> Ellipsoid<N> {
     pub(crate) fn support_offset(&self, m: Vector<N>) -> Vector<N> {
         let along = self.axes.transpose() * m;
         let stretched = Vector::<N>::from_fn(|i| self.semi_axes[i] * along[i]);
-        let h = scaled_norm(stretched);
+        let h = stretched.scaled_norm();
         self.axes * Vector::from_fn(|i| self.semi_axes[i] * (stretched[i] / h))
     }
 
@@ -171,7 +171,7 @@ impl<const N: usize> Ellipsoid<N> {
     pub(crate) fn radii(&self, m: Vector<N>) -> Mat<N, N> {
         let along = self.axes.transpose() * m;
         let stretched = Vector::<N>::from_fn(|i| self.semi_axes[i] * along[i]);
-        let h = scaled_norm(stretched);
+        let h = stretched.scaled_norm();
         let unit = stretched * (1.0 / h);
         // diag(a) (I - u u^T) diag(a) / h with u = diag(a) m / h; the middle is a projection.
         let middle = across(unit);
@@ -186,7 +186,7 @@ impl<const N: usize> Ellipsoid<N> {
     /// `h P A^-1 P`, `P = I - m m^T`.
     fn boundary(&self, m: Vector<N>) -> BoundaryPoint<N> {
         let stretched = Vector::<N>::from_fn(|i| self.semi_axes[i] * m[i]);
-        let h = scaled_norm(stretched);
+        let h = stretched.scaled_norm();
         let from_center = Vector::<N>::from_fn(|i| self.semi_axes[i] * (stretched[i] / h));
         let across = across(m);
         let weighted = Mat::<N, N>::from_fn(|i, j| {
@@ -209,12 +209,6 @@ impl<const N: usize> Ellipsoid<N> {
 fn across<const N: usize>(m: Vector<N>) -> Mat<N, N> {
     let others = |i: usize| (0..N).filter(|&k| k != i).map(|k| m[k] * m[k]).sum();
     Mat::from_fn(|i, j| if i == j { others(i) } else { -m[i] * m[j] })
-}
-
-/// The Euclidean length where squares could leave the range of numbers.
-fn scaled_norm<const N: usize>(v: Vector<N>) -> f64 {
-    let largest = v.max_abs();
-    Vector::<N>::from_fn(|i| v[i] / largest).norm() * largest
 }
 
 fn check_center<const N: usize>(center: Vector<N>) -> Result<(), EllipsoidError> {
