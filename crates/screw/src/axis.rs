@@ -44,6 +44,49 @@ impl Axis {
     pub fn new(direction: Vector<3>, moment: Vector<3>) -> Self {
         Self { direction, point: cross(direction, moment), pitch: direction.dot(moment) }
     }
+
+    /// What a unit rotation or force along the axis does about the origin: the velocity of the
+    /// body there, or the torque (length).
+    #[must_use]
+    pub fn moment(&self) -> Vector<3> {
+        cross(self.point, self.direction) + self.direction * self.pitch
+    }
+
+    /// The unit rotation about the axis, with its pitch.
+    #[must_use]
+    pub fn twist(&self) -> Twist<3, 3> {
+        Twist { linear: self.moment(), angular: self.direction }
+    }
+
+    /// The unit force along the axis, with its pitch.
+    #[must_use]
+    pub fn wrench(&self) -> Wrench<3, 3> {
+        Wrench { force: self.direction, torque: self.moment() }
+    }
+
+    /// The power of a unit wrench on one of the axes along a unit twist on the other (length):
+    /// `(h_1 + h_2) cos(alpha) - d sin(alpha)`, with the angle `alpha` from the first direction to
+    /// the second about their common normal, and the distance `d` along it.
+    ///
+    /// If it is zero the screws are reciprocal: a wrench on one does nothing to a body that can
+    /// only twist about the other.
+    ///
+    /// ```
+    /// use clench_screw::{Axis, Vector};
+    /// let [x, y] = [Vector::new([1.0, 0.0, 0.0]), Vector::new([0.0, 1.0, 0.0])];
+    /// let hinge = Axis::new(x, Vector::ZERO);
+    /// // A force along y through the hinge does nothing; one at the height 3 turns it by -3.
+    /// let through = Axis::new(y, Vector::ZERO);
+    /// let above = Axis { point: Vector::new([0.0, 0.0, 3.0]), ..through };
+    /// assert_eq!(hinge.reciprocal_product(&through), 0.0);
+    /// assert_eq!(hinge.reciprocal_product(&above), -3.0);
+    /// ```
+    #[must_use]
+    pub fn reciprocal_product(&self, other: &Self) -> f64 {
+        // About a point of one axis, so that two far axes lose nothing.
+        let arm = cross(other.point - self.point, other.direction);
+        (self.pitch + other.pitch) * self.direction.dot(other.direction) + self.direction.dot(arm)
+    }
 }
 
 impl<const N: usize, const M: usize> Twist<N, M> {
@@ -68,7 +111,7 @@ impl<const N: usize, const M: usize> Twist<N, M> {
     /// The same twist as one of space, of which the plane is the slice z = 0.
     #[must_use]
     pub fn in_space(&self) -> Twist<3, 3> {
-        Twist { linear: translational(self.linear), angular: rotational(self.angular) }
+        Twist { linear: self.linear.in_space(), angular: self.angular.in_space() }
     }
 }
 
@@ -76,18 +119,8 @@ impl<const N: usize, const M: usize> Wrench<N, M> {
     /// The screw of this wrench: the axis goes through `f x tau / |f|^2`.
     #[must_use]
     pub fn screw(&self) -> Screw {
-        read(translational(self.force), rotational(self.torque))
+        read(self.force.in_space(), self.torque.in_space())
     }
-}
-
-/// A direction of the plane or of space, in space.
-fn translational<const N: usize>(v: Vector<N>) -> Vector<3> {
-    Vector::from_fn(|i| if i < N { v[i] } else { 0.0 })
-}
-
-/// A rotation of the plane, which is about z, or of space, in space.
-fn rotational<const M: usize>(v: Vector<M>) -> Vector<3> {
-    Vector::from_fn(|i| if i + M >= 3 { v[i + M - 3] } else { 0.0 })
 }
 
 /// The screw with `line` along its axis and `moment` about the origin.

@@ -38,42 +38,53 @@ impl<const N: usize> SymmetricEigen<N> {
     ///
     /// [`ScrewError::NotFinite`] with the place of the first entry that is not a finite number.
     pub fn new(a: &Mat<N, N>) -> Result<Self, ScrewError> {
-        if let Some((row, column)) = first_not_finite(a) {
-            return Err(ScrewError::NotFinite { row, column, value: a[row][column] });
+        if !a.is_finite() {
+            return Err(first_not_finite(a));
         }
-        let mut a = a.symmetric_part();
-        let mut basis = Mat::IDENTITY;
+        // About 1, so that squares of entries stay in the range of numbers.
+        let scale = power_of_two(a.max_abs());
+        let mut a = (*a * scale.recip()).symmetric_part();
+        let mut vectors = *Mat::<N, N>::IDENTITY.rows();
         for _ in 0..MAX_SWEEPS {
-            if !sweep(&mut a, &mut basis) {
+            if !sweep(&mut a, &mut vectors) {
                 break;
             }
         }
-        let mut order: [usize; N] = std::array::from_fn(|i| i);
-        order.sort_by(|&i, &j| a[i][i].total_cmp(&a[j][j]));
-        Ok(Self {
-            values: order.map(|i| a[i][i]),
-            vectors: order.map(|i| with_positive_peak(basis.column(i))),
-        })
+        let mut pairs: [(f64, Vector<N>); N] =
+            std::array::from_fn(|i| (a[i][i] * scale, with_positive_peak(vectors[i].into())));
+        // By insertion: N is at most 3 in practice.
+        for end in 1..N {
+            for i in (1..=end).rev() {
+                if pairs[i].0 < pairs[i - 1].0 {
+                    pairs.swap(i, i - 1);
+                }
+            }
+        }
+        Ok(Self { values: pairs.map(|pair| pair.0), vectors: pairs.map(|pair| pair.1) })
     }
 }
 
-fn first_not_finite<const N: usize>(a: &Mat<N, N>) -> Option<(usize, usize)> {
-    let places = (0..N).flat_map(|i| (0..N).map(move |j| (i, j)));
-    places.into_iter().find(|&(i, j)| !a[i][j].is_finite())
+/// A power of two about as large as a size, whose inverse is a normal number too.
+fn power_of_two(size: f64) -> f64 {
+    const EXPONENT: u64 = 0x7ff << 52;
+    let power = f64::from_bits(size.to_bits() & EXPONENT);
+    power.clamp(f64::MIN_POSITIVE, f64::MIN_POSITIVE.recip())
+}
+
+#[cold]
+fn first_not_finite<const N: usize>(a: &Mat<N, N>) -> ScrewError {
+    let mut places = (0..N).flat_map(|i| (0..N).map(move |j| (i, j)));
+    let (row, column) = places.find(|&(i, j)| !a[i][j].is_finite()).unwrap_or_default();
+    ScrewError::NotFinite { row, column, value: a[row][column] }
 }
 
 /// One round of rotations; false when no entry was left to rotate away.
-fn sweep<const N: usize>(a: &mut Mat<N, N>, basis: &mut Mat<N, N>) -> bool {
+fn sweep<const N: usize>(a: &mut Mat<N, N>, vectors: &mut [[f64; N]; N]) -> bool {
     let mut rotated = false;
     for p in 0..N {
         for q in p + 1..N {
-            let (one, other) = (a[p][p].abs(), a[q][q].abs());
-            let product = one * other;
-            // Two roots where the product leaves the range of numbers.
-            let scale =
-                if product.is_normal() { product.sqrt() } else { one.sqrt() * other.sqrt() };
-            if a[p][q].abs() > NO_ROTATION * scale {
-                rotate(a, basis, p, q);
+            if !is_zero(a[p][q], a[p][p], a[q][q]) {
+                rotate(a, vectors, p, q);
                 rotated = true;
             }
         }
@@ -81,29 +92,52 @@ fn sweep<const N: usize>(a: &mut Mat<N, N>, basis: &mut Mat<N, N>) -> bool {
     rotated
 }
 
-/// The rotation in the plane (p, q) that makes `a_pq` zero.
-fn rotate<const N: usize>(a: &mut Mat<N, N>, basis: &mut Mat<N, N>, p: usize, q: usize) {
-    let half_cotangent = (a[q][q] - a[p][p]) / (2.0 * a[p][q]);
-    // The smaller of the two angles; copysign keeps 45 degrees for equal diagonal entries,
-    // and an overflowing square gives the angle 0.
-    let t = 1.0_f64.copysign(half_cotangent)
-        / (half_cotangent.abs() + (half_cotangent * half_cotangent + 1.0).sqrt());
-    let c = 1.0 / (t * t + 1.0).sqrt();
-    let s = t * c;
-    let shift = t * a[p][q];
+/// Whether the off-diagonal entry counts as zero beside its two diagonal ones.
+fn is_zero(entry: f64, one: f64, other: f64) -> bool {
+    let (square, product) = (entry * entry, (one * other).abs());
+    if square > NO_ROTATION * NO_ROTATION * product {
+        return false;
+    }
+    if square.is_normal() && product.is_normal() {
+        return true;
+    }
+    // Roots where squares leave the range of numbers.
+    let size = one.abs().sqrt() * other.abs().sqrt();
+    entry.abs() <= (NO_ROTATION * size).max(f64::MIN_POSITIVE)
+}
+
+/// The rotation in the plane (p, q) that makes `a_pq` zero: of the two angles the smaller one, and
+/// 45 degrees for equal diagonal entries.
+///
+/// With `d = a_qq - a_pp` and `h = |(d, 2 a_pq)|` its tangent is `2 a_pq / (d + h)` for a positive
+/// `d`.
+fn rotate<const N: usize>(a: &mut Mat<N, N>, vectors: &mut [[f64; N]; N], p: usize, q: usize) {
+    let difference = a[q][q] - a[p][p];
+    let doubled = 2.0 * a[p][q];
+    let along = difference.abs() + length(difference, doubled);
+    let across = if difference < 0.0 { -doubled } else { doubled };
+    let size = 1.0 / length(along, across);
+    let (c, s) = (along * size, across * size);
+    let shift = across / along * a[p][q];
     a[p][p] -= shift;
     a[q][q] += shift;
     a[p][q] = 0.0;
     a[q][p] = 0.0;
-    for k in 0..N {
-        if k != p && k != q {
-            let (kp, kq) = (a[k][p], a[k][q]);
-            (a[k][p], a[k][q]) = (c * kp - s * kq, s * kp + c * kq);
-            (a[p][k], a[q][k]) = (a[k][p], a[k][q]);
-        }
-        let (kp, kq) = (basis[k][p], basis[k][q]);
-        (basis[k][p], basis[k][q]) = (c * kp - s * kq, s * kp + c * kq);
+    for k in (0..N).filter(|&k| k != p && k != q) {
+        let (kp, kq) = (a[k][p], a[k][q]);
+        (a[k][p], a[k][q]) = (c * kp - s * kq, s * kp + c * kq);
+        (a[p][k], a[q][k]) = (a[k][p], a[k][q]);
     }
+    for k in 0..N {
+        let (kp, kq) = (vectors[p][k], vectors[q][k]);
+        (vectors[p][k], vectors[q][k]) = (c * kp - s * kq, s * kp + c * kq);
+    }
+}
+
+/// `|(x, y)|`.
+fn length(x: f64, y: f64) -> f64 {
+    let square = x * x + y * y;
+    if square.is_normal() { square.sqrt() } else { x.hypot(y) }
 }
 
 fn with_positive_peak<const N: usize>(v: Vector<N>) -> Vector<N> {

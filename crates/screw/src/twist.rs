@@ -2,7 +2,7 @@
 
 use std::ops::{Add, Mul, Sub};
 
-use crate::{Frame, Vector, Wrench, lever};
+use crate::{Frame, Mat, Vector, Wrench, lever};
 
 /// A small displacement of a rigid body, written about a frame's origin and along its axes.
 ///
@@ -39,6 +39,22 @@ impl<const N: usize, const M: usize> Twist<N, M> {
     #[must_use]
     pub fn velocity_at(&self, point: Vector<N>) -> Vector<N> {
         self.linear - lever(point) * self.angular
+    }
+
+    /// How the velocity changes from point to point: `omega x`, as a matrix that acts on points.
+    ///
+    /// The velocity of the body point `x` is `linear + velocity_gradient * x`; in the plane the
+    /// matrix is `omega [[0, -1], [1, 0]]`.
+    ///
+    /// ```
+    /// use clench_screw::{Mat, Vector, planar};
+    /// let turn = planar::Twist { linear: Vector::ZERO, angular: [2.0].into() };
+    /// assert_eq!(turn.velocity_gradient(), Mat::new([[0.0, -2.0], [2.0, 0.0]]));
+    /// ```
+    #[must_use]
+    pub fn velocity_gradient(&self) -> Mat<N, N> {
+        let whole = lever::<3, 3>(self.angular.in_space());
+        Mat::from_fn(|i, j| whole[i][j])
     }
 
     /// The power of `wrench` along this twist, which no change of frame alters.

@@ -77,6 +77,21 @@ impl<const N: usize> Vector<N> {
         Some(scaled * scaled.norm().recip())
     }
 
+    /// The same vector in space, of which the plane is the slice z = 0: two components are a
+    /// direction or point of the plane, one is a rotation or torque, about z.
+    ///
+    /// ```
+    /// use clench_screw::Vector;
+    /// assert_eq!(Vector::new([1.0, 2.0]).in_space(), Vector::new([1.0, 2.0, 0.0]));
+    /// assert_eq!(Vector::new([3.0]).in_space(), Vector::new([0.0, 0.0, 3.0]));
+    /// ```
+    #[must_use]
+    pub fn in_space(self) -> Vector<3> {
+        const { assert!(N >= 1 && N <= 3, "the plane or space") }
+        let first = if N == 1 { 2 } else { 0 };
+        Vector::from_fn(|i| if (first..first + N).contains(&i) { self.0[i - first] } else { 0.0 })
+    }
+
     /// The largest magnitude of a component; 0 when `N` is 0.
     #[must_use]
     pub fn max_abs(self) -> f64 {
