@@ -14,6 +14,8 @@
 //! | how deep two bodies overlap, `delta` | [`planar::deepest_pair`], [`spatial::deepest_pair`] |
 //! | the geometric center and radius | [`Polygon::enclosing_circle`] |
 //! | how far the part reaches from a point, `rho_max` | [`Polygon::farthest`] |
+//! | how far a motion takes any body, its *deflection* | [`Extent::fastest`] |
+//! | where anything convex is largest over a body | [`Extremes::farthest_by`] |
 //! | the same along a segment, piece by piece | [`Polygon::farthest_along`] |
 //! | the regions with one farthest corner, `R_i` | [`Polygon::partition`] |
 //!
@@ -51,6 +53,8 @@ mod edge;
 mod place;
 
 mod circle;
+mod extent;
+mod extremes;
 mod reach;
 mod stretch;
 
@@ -71,6 +75,7 @@ mod partition;
 
 mod hull;
 mod predicates;
+mod solid_hull;
 mod tree;
 mod triangulation;
 mod validity;
@@ -83,6 +88,8 @@ pub use deepest::{BodyError, DeepestPair, OverlapError, Side};
 pub use edge::Edge;
 pub use ellipsoid::{Ellipsoid, EllipsoidError, LARGEST_ASPECT};
 pub use error::PolygonError;
+pub use extent::Extent;
+pub use extremes::{Extreme, Extremes};
 pub use partition::{FarthestPartition, Region};
 pub use place::Place;
 pub use point_hull::PointHull;

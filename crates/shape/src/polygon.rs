@@ -7,7 +7,7 @@ use crate::place::nearest_place;
 use crate::predicates::turn;
 use crate::triangulation::Triangulation;
 use crate::validity::checked_hull;
-use crate::{Circle, Edge, FarthestPartition, Place, PolygonError, Reach, Stretch};
+use crate::{Circle, Edge, Extremes, FarthestPartition, Place, PolygonError, Reach, Stretch};
 
 /// The direction in which an outline lists its corners.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -40,6 +40,7 @@ pub struct Polygon {
     hull: Vec<usize>,
     partition: FarthestPartition,
     circle: Circle,
+    extremes: Extremes<2>,
 }
 
 impl Polygon {
@@ -63,7 +64,8 @@ impl Polygon {
         let center = smallest_center(&sites, &mesh);
         let partition = FarthestPartition::new(&hull, sites, &mesh);
         let circle = Circle { center, radius: partition.farthest(center).distance };
-        Ok(Self { corners, winding, edges, hull, partition, circle })
+        let extremes = Extremes::of_points(&corners, hull.clone());
+        Ok(Self { corners, winding, edges, hull, partition, circle, extremes })
     }
 
     /// The corners, in the order given.
@@ -90,6 +92,12 @@ impl Polygon {
     #[must_use]
     pub fn hull(&self) -> &[usize] {
         &self.hull
+    }
+
+    /// The corners of the convex hull, for how far the part reaches.
+    #[must_use]
+    pub fn extremes(&self) -> &Extremes<2> {
+        &self.extremes
     }
 
     /// Whether the outline turns the same way at all its corners, or straight on; exactly.

@@ -1,6 +1,8 @@
 //! Ellipses and ellipsoids.
 
 mod error;
+mod farthest;
+mod nearest;
 mod secular;
 
 use clench_screw::{Frame, Mat, Vector};
@@ -135,7 +137,7 @@ impl<const N: usize> Ellipsoid<N> {
     #[must_use]
     pub fn nearest(&self, point: Vector<N>) -> Nearest<N> {
         let from_center = self.axes.transpose() * (point - self.center);
-        let foot = secular::foot(self.semi_axes, from_center);
+        let foot = nearest::foot(self.semi_axes, from_center);
         let gradient = Vector::<N>::from_fn(|i| foot.direction[i] / self.semi_axes[i]);
         let norm = gradient.scaled_norm();
         Nearest {

@@ -1,4 +1,4 @@
-//! The equation behind the point of an ellipsoid nearest to a given point.
+//! The equation behind the nearest and the farthest points of an ellipsoid.
 
 use clench_screw::Vector;
 
@@ -6,38 +6,20 @@ use clench_screw::Vector;
 /// and `N`; far fewer than ten were ever seen, and this is the end for any input.
 const MAX_STEPS: usize = 64;
 
-/// The nearest boundary point of an ellipsoid about the origin with semi-axes `a` along the axes.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Foot<const N: usize> {
-    /// The foot divided by the semi-axes: of unit length.
-    pub(super) direction: Vector<N>,
-    /// How many gradients `x_i / a_i^2` the point is away from its foot (length squared):
-    /// positive outside the ellipsoid.
-    pub(super) steps: f64,
-}
-
-/// The foot of `point`, which may be anywhere.
+/// The unit vector `p` with `(s + gap_i) p_i = gradient_i` for the largest `s >= 0` that has one,
+/// and this `s`; at least one of the gaps is 0, and none is negative.
 ///
-/// The foot `x` has `y - x = t A^-1 x` with `A = diag(a^2)`, so that `p_i = x_i / a_i =
-/// a_i y_i / (t + a_i^2)` must be of unit length, and of all such `t` the largest one is sought.
-/// (D. Eberly, *Distance from a Point to an Ellipse, an Ellipsoid, or a Hyperellipsoid*, 2013.)
-/// In terms of `s = t + a_min^2 >= 0` no denominator cancels: each is `s + (a_i^2 - a_min^2)`.
-pub(super) fn foot<const N: usize>(semi_axes: [f64; N], point: Vector<N>) -> Foot<N> {
-    let least = semi_axes.into_iter().fold(f64::INFINITY, f64::min);
-    let numerators = Vector::<N>::from_fn(|i| semi_axes[i] * point[i].abs());
-    let gaps = Vector::<N>::from_fn(|i| (semi_axes[i] - least) * (semi_axes[i] + least));
+/// No denominator cancels. At `s = 0` the other coordinates may leave room for the one whose gap is
+/// 0 (the *hard case*): it fills the vector up, its sign free and here positive.
+pub(super) fn on_sphere<const N: usize>(gradient: Vector<N>, gaps: Vector<N>) -> (Vector<N>, f64) {
+    let numerators = Vector::<N>::from_fn(|i| gradient[i].abs());
     let s = largest_root(numerators, gaps);
-    let mut direction = quotients(numerators, gaps, s);
+    let mut unit = quotients(numerators, gaps, s);
     if s <= 0.0 {
-        // A point of the plane of symmetry across the shortest axis, as near to both sides: what
-        // the other axes leave goes along this one.
-        let short = (0..N).find(|&i| gaps[i] <= 0.0).unwrap_or(0);
-        direction[short] = (1.0 - direction.norm_squared()).max(0.0).sqrt();
+        let free = (0..N).find(|&i| gaps[i] <= 0.0).unwrap_or(0);
+        unit[free] = (1.0 - unit.norm_squared()).max(0.0).sqrt();
     }
-    Foot {
-        direction: Vector::from_fn(|i| direction[i].copysign(point[i])),
-        steps: s - least * least,
-    }
+    (Vector::from_fn(|i| unit[i].copysign(gradient[i])), s)
 }
 
 /// The largest `s >= 0` at which the quotients have unit length; 0 if they are shorter for all.

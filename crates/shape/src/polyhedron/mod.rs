@@ -16,6 +16,7 @@ pub use error::PolyhedronError;
 pub use face::Face;
 pub use place::{FaceFeature, FacePlace};
 
+use crate::Extremes;
 use crate::deepest::Surface;
 use shells::Shells;
 use surface::{FaceTree, Feature};
@@ -64,6 +65,7 @@ pub struct Polyhedron {
     enclosing_radius: f64,
     is_convex: bool,
     volume: f64,
+    extremes: Extremes<3>,
     tree: FaceTree,
 }
 
@@ -109,6 +111,7 @@ impl Polyhedron {
         let enclosing_radius = distances.fold(0.0, f64::max);
         let is_one_piece = first_faces.iter().all(|&first| first == 0);
         let is_convex = is_one_piece && convexity::is_convex(&vertices, &faces, &edges);
+        let extremes = Extremes::of_hull(&vertices, &used);
         let vertex_normals = surface::vertex_normals(&vertices, &faces);
         Ok(Self {
             vertices,
@@ -120,6 +123,7 @@ impl Polyhedron {
             enclosing_radius,
             is_convex,
             volume,
+            extremes,
             tree,
         })
     }
@@ -187,6 +191,12 @@ impl Polyhedron {
     #[must_use]
     pub fn enclosing_radius(&self) -> f64 {
         self.enclosing_radius
+    }
+
+    /// The vertices of the convex hull, for how far the solid reaches; of equal vertices one.
+    #[must_use]
+    pub fn extremes(&self) -> &Extremes<3> {
+        &self.extremes
     }
 
     /// The place of the surface nearest to `point`, and which faces share it. `point` is finite.

@@ -15,6 +15,7 @@ mod laws;
 mod limits;
 mod polyhedron;
 mod polyhedron_limits;
+mod reach;
 mod shells;
 mod solids;
 mod split_sides;
