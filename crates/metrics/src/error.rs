@@ -43,4 +43,15 @@ pub enum MetricsError {
         /// The rotational stiffness felt at the origin of the computation.
         scale: f64,
     },
+    /// Lengths or stiffnesses are so large or so small together that their products overflow.
+    #[error(
+        "the body moves by {deflection:e} and resists with {stiffness:e}, \
+         but both have to be numbers in the range of doubles"
+    )]
+    OutOfRange {
+        /// What was to be the stiffness (force / length).
+        stiffness: f64,
+        /// The deflection that goes with it (length per rad, or length / force).
+        deflection: f64,
+    },
 }

@@ -22,7 +22,7 @@
 //! assert_eq!(principal.translational().values, [2.0, 3.0]);
 //!
 //! let square = Polygon::new(&[[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]])?;
-//! let quality = Quality::of(&principal, &square);
+//! let quality = Quality::of(&principal, &square)?;
 //! // The farthest corner is (-1, +-1), at a squared distance of 5.
 //! assert_eq!(quality.limited_by, LimitedBy::Rotation);
 //! assert!((quality.value - 1.0 / 5.0).abs() < 1e-15);
@@ -31,12 +31,23 @@
 
 mod principal;
 
+mod axes;
+mod energy;
+mod load;
+
+mod equivalent;
 mod quality;
 mod worst_point;
 
+mod directions;
+mod softness;
+
 mod error;
 
+pub use energy::EnergyEllipsoid;
+pub use equivalent::EquivalentStiffness;
 pub use error::MetricsError;
+pub use load::Deflection;
 pub use principal::Principal;
-pub use quality::{LimitedBy, Quality};
+pub use quality::{LimitedBy, Quality, REPEATED};
 pub use worst_point::WorstPoint;

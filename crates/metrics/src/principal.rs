@@ -1,6 +1,8 @@
 //! The principal stiffness parameters of LBR section 3.
 
-use clench_screw::{Axis, Mat, Stiffness, SymmetricEigen, Twist, Vector, lever, lever_center};
+use clench_screw::{
+    Frame, Mat, Stiffness, SymmetricEigen, Twist, Vector, Wrench, lever, lever_center,
+};
 
 use crate::MetricsError;
 
@@ -19,9 +21,12 @@ pub struct Principal<const N: usize, const M: usize> {
     origin: Vector<N>,
     translational: SymmetricEigen<N>,
     rotational: SymmetricEigen<M>,
+    translational_compliance: Mat<N, N>,
     restricted: Mat<M, M>,
     /// `P_1 = -K_11^-1 K_12` about `origin`: the translation that goes with a rotation.
     twist_map: Mat<N, M>,
+    /// The root of the quotient of the traces of `K_22`, about a near origin, and `K_11`.
+    arm: f64,
 }
 
 impl<const N: usize, const M: usize> Principal<N, M> {
@@ -34,8 +39,10 @@ impl<const N: usize, const M: usize> Principal<N, M> {
     ///
     /// [`MetricsError`] names what is not held, when the stiffness is not positive definite.
     pub fn of(origin: Vector<N>, stiffness: &Stiffness<N, M>) -> Result<Self, MetricsError> {
+        let translational = translational(stiffness)?;
+        let compliance = inverse(&translational);
         let scale = stiffness.rotational.trace().abs();
-        Self::scaled(origin, stiffness, translational(stiffness)?, scale)
+        Self::scaled(origin, stiffness, translational, compliance, scale)
     }
 
     /// The parameters of the stiffness that `stiffness_about` forms about any origin.
@@ -52,33 +59,45 @@ impl<const N: usize, const M: usize> Principal<N, M> {
     ) -> Result<Self, MetricsError> {
         let rough = stiffness_about(start);
         let translational = translational(&rough)?;
-        let center = start + lever_center(&twist_map(&translational, &rough));
         // The translational block is the same about every origin.
-        Self::scaled(
-            center,
-            &stiffness_about(center),
-            translational,
-            rough.rotational.trace().abs(),
-        )
+        let compliance = inverse(&translational);
+        let center = start + lever_center(&(compliance * rough.coupling * -1.0));
+        let scale = rough.rotational.trace().abs();
+        Self::scaled(center, &stiffness_about(center), translational, compliance, scale)
     }
 
     fn scaled(
         origin: Vector<N>,
         stiffness: &Stiffness<N, M>,
         translational: SymmetricEigen<N>,
+        translational_compliance: Mat<N, N>,
         scale: f64,
     ) -> Result<Self, MetricsError> {
-        let twist_map = twist_map(&translational, stiffness);
+        let twist_map = translational_compliance * stiffness.coupling * -1.0;
         let restricted = stiffness.rotational + stiffness.coupling.transpose() * twist_map;
         let rotational = SymmetricEigen::new(&restricted)?;
-        let principal = Self { origin, translational, rotational, restricted, twist_map };
+        let arm = (scale / stiffness.translational.trace()).sqrt();
+        let principal = Self {
+            origin,
+            translational,
+            rotational,
+            translational_compliance,
+            restricted,
+            twist_map,
+            arm,
+        };
         let value = rotational.values[0];
         if value > ZERO_STIFFNESS * scale {
             return Ok(principal);
         }
-        let Axis { direction, point, pitch } = principal.axis_of(0);
-        let (axis, point) = (direction.to_array(), point.to_array());
-        Err(MetricsError::RotationNotHeld { axis, point, pitch, value, scale })
+        let axis = principal.twist_axes()[0];
+        Err(MetricsError::RotationNotHeld {
+            axis: axis.direction.to_array(),
+            point: axis.point.to_array(),
+            pitch: axis.pitch,
+            value,
+            scale,
+        })
     }
 
     /// The principal translational stiffnesses `sigma_i` (force / length), ascending, and their
@@ -103,44 +122,44 @@ impl<const N: usize, const M: usize> Principal<N, M> {
 
     /// `C_W = K_11^-1`, the compliance felt by forces that cause no rotation (length / force).
     #[must_use]
-    pub fn translational_compliance(&self) -> Mat<N, N> {
-        inverse(&self.translational)
+    pub const fn translational_compliance(&self) -> &Mat<N, N> {
+        &self.translational_compliance
     }
 
-    /// The center of compliance `d_b` of the plane [LBR, eq. 12]; in space the one point about
-    /// which `P_1` is symmetric, which is a center of compliance if any is.
+    /// `P_1 = -K_11^-1 K_12` about the frame's origin (length per rad): the map `P = [P_1; I]`
+    /// takes a rotation to the element of `V` that has it [LBR, eq. 9], and `Q = [I; -P_1^T]` a
+    /// force to the element of `W` [LBR, eq. 11].
     #[must_use]
-    pub fn center(&self) -> Vector<N> {
-        self.origin + lever_center(&self.twist_map)
+    pub fn twist_map(&self) -> Mat<N, M> {
+        self.twist_map + lever(self.origin)
     }
 
     /// The twist, about the frame's origin, that turns by `rotation` and needs no force: the
     /// element `P omega` of `V` [LBR, eq. 9].
     #[must_use]
     pub fn forceless_twist(&self, rotation: Vector<M>) -> Twist<N, M> {
-        let map = self.twist_map + lever(self.origin);
-        Twist { linear: map * rotation, angular: rotation }
+        Twist { linear: self.twist_map() * rotation, angular: rotation }
     }
 
-    /// The twist-compliant axes: those of the forceless twists about the principal rotational
-    /// directions [LBR, section 3.2]. In the plane there is one, along z through the center of
-    /// compliance.
+    /// The wrench, about the frame's origin, that has the given `force` and turns nothing: the
+    /// element `Q f` of `W` [LBR, eq. 11].
     #[must_use]
-    pub fn twist_axes(&self) -> [Axis; M] {
-        std::array::from_fn(|i| self.axis_of(i))
+    pub fn rotationless_wrench(&self, force: Vector<N>) -> Wrench<N, M> {
+        Wrench { force, torque: -(self.twist_map().transpose() * force) }
     }
 
-    /// The axis of principal rotation `i`, from the frame's origin; its moment is taken near the
-    /// body, where nothing cancels.
-    fn axis_of(&self, i: usize) -> Axis {
-        let center = self.center();
-        let rotation = self.rotational.vectors[i];
-        let about = self.twist_map - lever(center - self.origin);
-        let twist = Twist { linear: about * rotation, angular: rotation }.in_space();
-        let near = Axis::new(twist.angular, twist.linear);
-        let center = padded(center);
-        let across = center - near.direction * near.direction.dot(center);
-        Axis { point: near.point + across, ..near }
+    /// The displacement by an external `load`, both about the frame's origin: `q = C w`.
+    ///
+    /// By the blocks of `C`, about the point where they decouple: the rotation that the torque
+    /// causes, with what it carries along, and the translation that the force causes.
+    #[must_use]
+    pub fn displacement(&self, load: &Wrench<N, M>) -> Twist<N, M> {
+        let near = Frame::at(self.origin);
+        let Wrench { force, torque } = load.in_frame(&near);
+        let torque = torque + self.twist_map.transpose() * force;
+        let angular = self.rotational_compliance() * torque;
+        let linear = self.translational_compliance * force + self.twist_map * angular;
+        Twist { linear, angular }.to_parent(&near)
     }
 
     /// The compliance felt at a body point: displacement of `point` per force at `point`,
@@ -148,7 +167,40 @@ impl<const N: usize, const M: usize> Principal<N, M> {
     #[must_use]
     pub fn compliance_at(&self, point: Vector<N>) -> Mat<N, N> {
         let x = self.twist_map - lever(point - self.origin);
-        self.translational_compliance() + x * inverse(&self.rotational) * x.transpose()
+        self.translational_compliance + x * self.rotational_compliance() * x.transpose()
+    }
+
+    /// The same parameters with all points, twists and wrenches counted from `point`.
+    #[must_use]
+    pub fn about(&self, point: Vector<N>) -> Self {
+        Self { origin: self.origin - point, ..*self }
+    }
+
+    /// `K_V^-1` (rad per force * length).
+    pub(crate) fn rotational_compliance(&self) -> Mat<M, M> {
+        inverse(&self.rotational)
+    }
+
+    /// [`Self::forceless_twist`], about the origin of the computation.
+    pub(crate) fn near_twist(&self, rotation: Vector<M>) -> Twist<N, M> {
+        Twist { linear: self.twist_map * rotation, angular: rotation }
+    }
+
+    /// The origin of the computation, near the body.
+    pub(crate) const fn origin(&self) -> Vector<N> {
+        self.origin
+    }
+
+    /// `P_1` about that origin.
+    pub(crate) const fn near_map(&self) -> &Mat<N, M> {
+        &self.twist_map
+    }
+
+    /// How far `P_1` may be off by rounding (length): of each contact a product with its arm, of
+    /// about the length of `arm`, is divided by the smallest of the stiffnesses.
+    pub(crate) fn map_rounding(&self) -> f64 {
+        let sigma = &self.translational.values;
+        ZERO_STIFFNESS * self.arm * (sigma[N - 1] / sigma[0])
     }
 }
 
@@ -160,23 +212,12 @@ fn translational<const N: usize, const M: usize>(
     if value > ZERO_STIFFNESS * largest {
         return Ok(eigen);
     }
-    let direction = padded(eigen.vectors[0]).to_array();
+    let direction = eigen.vectors[0].in_space().to_array();
     Err(MetricsError::TranslationNotHeld { direction, value, largest })
-}
-
-fn twist_map<const N: usize, const M: usize>(
-    translational: &SymmetricEigen<N>,
-    stiffness: &Stiffness<N, M>,
-) -> Mat<N, M> {
-    inverse(translational) * stiffness.coupling * -1.0
 }
 
 /// The inverse of a matrix from its eigenvalues.
 fn inverse<const D: usize>(eigen: &SymmetricEigen<D>) -> Mat<D, D> {
     let pairs = eigen.values.iter().zip(&eigen.vectors);
     pairs.fold(Mat::ZERO, |sum, (value, &v)| sum + Mat::outer(v, v) * value.recip())
-}
-
-fn padded<const N: usize>(v: Vector<N>) -> Vector<3> {
-    Vector::from_fn(|i| if i < N { v[i] } else { 0.0 })
 }

@@ -1,45 +1,128 @@
-//! The quality measure of planar grasps.
+//! The quality measure of LBR section 4.
 
-use clench_shape::{Polygon, Reach};
+use clench_shape::Extent;
 
-use crate::Principal;
+use crate::{EquivalentStiffness, MetricsError, Principal};
+
+/// Principal rotational stiffnesses whose gap is at most this part of the largest count as one,
+/// repeated: their directions are then determined by rounding.
+pub const REPEATED: f64 = 1e-9;
 
 /// Which principal stiffness is the smallest, made comparable by the body's reach.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum LimitedBy {
     /// `sigma_min`.
     Translation,
-    /// `mu_eq`.
+    /// The least `mu_eq`.
     Rotation,
 }
 
-/// The frame-invariant quality of a planar grasp [LBR, eqs. 13 and 14].
+/// The frame-invariant quality of a grasp [LBR, eqs. 13 to 16].
+///
+/// [LBR, eq. 16] takes the directions of the principal rotations, which are not determined where
+/// stiffnesses repeat, as in each cube held alike from all sides. The least equivalent stiffness
+/// of all rotations among the repeated ones is taken instead, which no frame alters. Even so Q
+/// jumps where two stiffnesses come to be equal; [`EquivalentStiffness::least`] (`Q_V`) and
+/// [`crate::WorstPoint`] (`Q_pt`) do not.
+///
+/// `min(sigma_min, Q_V) / 2 <= Q_pt <= min(sigma_min, Q_V) <= Q`.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Quality {
+pub struct Quality<const N: usize, const M: usize> {
     /// `Q = min(sigma_min, mu_eq)` (force / length): the worst characteristic stiffness.
     pub value: f64,
-    /// Which of the two it is.
+    /// Which of them it is.
     pub limited_by: LimitedBy,
     /// `sigma_min`, the smallest principal translational stiffness (force / length).
     pub translational: f64,
-    /// `mu_eq = mu / rho_max^2`, the equivalent stiffness (force / length).
-    pub equivalent: f64,
-    /// The corner farthest from the center of compliance, and its distance `rho_max`.
-    pub reach: Reach,
+    /// `mu_eq` of each principal rotation, in their order; those of repeated ones are the same.
+    pub rotations: [EquivalentStiffness<N, M>; M],
+    /// Whether some principal rotational stiffness is repeated, so that [LBR, eq. 16] could give
+    /// other values.
+    pub degenerate: bool,
 }
 
-impl Quality {
+impl<const N: usize, const M: usize> Quality<N, M> {
     /// The quality of a grasp of `body`, both given in one frame.
-    #[must_use]
-    pub fn of(principal: &Principal<2, 1>, body: &Polygon) -> Self {
-        let reach = body.farthest(principal.center());
+    ///
+    /// ```
+    /// use clench_metrics::{LimitedBy, Principal, Quality};
+    /// use clench_screw::{Mat, Vector, spatial::Stiffness};
+    /// use clench_shape::Extremes;
+    /// // A cube of side 2, held at its center: 3 against translations, 4 against rotations.
+    /// let corner = |i: i32| [0, 1, 2].map(|axis| f64::from(i >> axis & 1) * 2.0 - 1.0);
+    /// let cube = Extremes::new(&[0, 1, 2, 3, 4, 5, 6, 7].map(corner))?;
+    /// let stiffness = Stiffness {
+    ///     translational: Mat::IDENTITY * 3.0,
+    ///     coupling: Mat::ZERO,
+    ///     rotational: Mat::IDENTITY * 4.0,
+    /// };
+    /// let principal = Principal::of(Vector::ZERO, &stiffness)?;
+    /// let quality = Quality::of(&principal, &cube)?;
+    /// // Any axis is principal. About a diagonal of a face corners are at the distance sqrt(3).
+    /// assert!(quality.degenerate);
+    /// assert_eq!(quality.limited_by, LimitedBy::Rotation);
+    /// assert!((quality.value - 4.0 / 3.0).abs() < 1e-14);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    ///
+    /// [`MetricsError::NotFinite`] and [`MetricsError::OutOfRange`] when sizes are so unlike that
+    /// numbers overflow.
+    pub fn of<'a>(
+        principal: &Principal<N, M>,
+        body: impl Into<Extent<'a, N>>,
+    ) -> Result<Self, MetricsError> {
+        Self::with_repeated_within(REPEATED, principal, body)
+    }
+
+    /// The quality, where principal rotational stiffnesses count as repeated if their gap is at
+    /// most the part `tolerance` of the largest, instead of [`REPEATED`].
+    ///
+    /// # Errors
+    ///
+    /// As [`Self::of`].
+    pub fn with_repeated_within<'a>(
+        tolerance: f64,
+        principal: &Principal<N, M>,
+        body: impl Into<Extent<'a, N>>,
+    ) -> Result<Self, MetricsError> {
+        let (body, mu) = (body.into(), &principal.rotational().values);
+        let gap = tolerance * mu[M - 1];
+        let mut rotations = [EquivalentStiffness::UNKNOWN; M];
+        let (mut first, mut degenerate) = (0, false);
+        while first < M {
+            let mut end = first + 1;
+            while end < M && mu[end] - mu[end - 1] <= gap {
+                end += 1;
+            }
+            let found = EquivalentStiffness::among(principal, first, end, body)?;
+            rotations[first..end].fill(found);
+            degenerate |= end > first + 1;
+            first = end;
+        }
         let translational = principal.translational().values[0];
-        let equivalent = principal.rotational().values[0] / (reach.distance * reach.distance);
-        let (value, limited_by) = if translational <= equivalent {
-            (translational, LimitedBy::Translation)
-        } else {
-            (equivalent, LimitedBy::Rotation)
+        let (value, limited_by) = (translational, LimitedBy::Translation);
+        let quality = Self { value, limited_by, translational, rotations, degenerate };
+        let equivalent = quality.equivalent();
+        if translational <= equivalent {
+            return Ok(quality);
+        }
+        Ok(Self { value: equivalent, limited_by: LimitedBy::Rotation, ..quality })
+    }
+
+    /// The least equivalent stiffness (force / length).
+    #[must_use]
+    pub fn equivalent(&self) -> f64 {
+        self.softest_rotation().value
+    }
+
+    /// The principal rotation with the least equivalent stiffness, the first of several.
+    #[must_use]
+    pub fn softest_rotation(&self) -> &EquivalentStiffness<N, M> {
+        let softer = |best: usize, i: usize| {
+            if self.rotations[i].value < self.rotations[best].value { i } else { best }
         };
-        Self { value, limited_by, translational, equivalent, reach }
+        &self.rotations[(1..M).fold(0, softer)]
     }
 }

@@ -1,42 +1,51 @@
-//! The worst-point stiffness of planar grasps.
+//! The worst-point stiffness.
 
-use clench_screw::{SymmetricEigen, Vector};
-use clench_shape::Polygon;
+use clench_screw::Vector;
+use clench_shape::Extent;
 
+use crate::softness::{Softest, Softness};
 use crate::{MetricsError, Principal};
 
 /// Where a force moves its own point of attack most.
 ///
-/// The compliance felt at a body point is convex in the point, so its largest eigenvalue is
-/// largest at a corner of the convex hull. Its inverse is the least ratio of force to deflection
-/// over all points and directions, never above the quality [`crate::Quality::value`] and never
-/// below half of it.
+/// The compliance felt at a body point, `C_x = C_W + X K_V^-1 X^T` with `X = P_1 - lever(x)`, is
+/// convex in the point, so its largest eigenvalue is largest at a corner of the convex hull. Its
+/// inverse is the least ratio of force to deflection over all points and directions, also for the
+/// deflection of other points than the one where the force acts. It is never above
+/// `min(sigma_min, Q_V)`, and so not above the quality, and never below half of that minimum.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct WorstPoint {
+pub struct WorstPoint<const N: usize> {
     /// `Q_pt`, the least force per deflection (force / length).
     pub stiffness: f64,
-    /// The corner where it is attained.
-    pub corner: usize,
+    /// What no point and direction has less than: the stiffness itself, but on an ellipsoid what a
+    /// search could prove.
+    pub at_least: f64,
+    /// The point where it is attained.
+    pub point: Vector<N>,
+    /// Its number among the corners or vertices of the body, which an ellipsoid has not.
+    pub corner: Option<usize>,
     /// The unit direction of the force, and of the deflection.
-    pub direction: Vector<2>,
+    pub direction: Vector<N>,
 }
 
-impl WorstPoint {
+impl<const N: usize> WorstPoint<N> {
     /// The worst point of `body`, given in the frame of the principal parameters.
     ///
     /// # Errors
     ///
-    /// [`MetricsError::NotFinite`] when a compliance overflows.
-    pub fn of(principal: &Principal<2, 1>, body: &Polygon) -> Result<Self, MetricsError> {
-        let mut worst = Self { stiffness: f64::INFINITY, corner: 0, direction: Vector::ZERO };
-        for &corner in body.hull() {
-            let compliance = principal.compliance_at(body.corners()[corner]);
-            let eigen = SymmetricEigen::new(&compliance)?;
-            let stiffness = eigen.values[1].recip();
-            if stiffness < worst.stiffness {
-                worst = Self { stiffness, corner, direction: eigen.vectors[1] };
-            }
+    /// [`MetricsError::NotFinite`] and [`MetricsError::OutOfRange`] when sizes are so unlike that
+    /// numbers overflow.
+    pub fn of<'a, const M: usize>(
+        principal: &Principal<N, M>,
+        body: impl Into<Extent<'a, N>>,
+    ) -> Result<Self, MetricsError> {
+        let softest = Softness::whole(principal).largest(body.into())?;
+        let Softest { point, corner, direction, compliance, bound } = softest;
+        if !(compliance > 0.0 && compliance.is_finite()) {
+            let stiffness = compliance.recip();
+            return Err(MetricsError::OutOfRange { stiffness, deflection: compliance });
         }
-        Ok(worst)
+        let (stiffness, at_least) = (compliance.recip(), bound.recip());
+        Ok(Self { stiffness, at_least, point, corner, direction })
     }
 }

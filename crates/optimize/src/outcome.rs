@@ -26,7 +26,7 @@ pub struct Solution {
     pub placements: Vec<Placement>,
     /// Its quality. When translation limits it, every placement on these edges whose equivalent
     /// stiffness reaches `quality.translational` is as good; this one has the largest.
-    pub quality: Quality,
+    pub quality: Quality<2, 1>,
     /// The principal parameters of its stiffness, in the frame of the outline.
     pub principal: Principal<2, 1>,
 }

@@ -35,6 +35,7 @@ mod load;
 
 mod equilibrium;
 mod preloads;
+mod response;
 mod stability;
 
 mod error;
@@ -44,4 +45,5 @@ pub use error::GraspError;
 pub use grasp::Grasp;
 pub use load::DeadLoad;
 pub use preloads::{BestPreload, Preloads};
+pub use response::LiftOff;
 pub use stability::Stability;

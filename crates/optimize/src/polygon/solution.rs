@@ -44,11 +44,11 @@ impl Solution {
         placements: Vec<Placement>,
         principal: Result<Principal<2, 1>, MetricsError>,
     ) -> Result<Self, OptimizeError> {
-        match principal {
-            Ok(principal) => {
-                let quality = Quality::of(&principal, part.outline());
-                Ok(Self { placements, quality, principal })
-            }
+        let evaluated = principal.and_then(|principal| {
+            Quality::of(&principal, part.outline()).map(|quality| (principal, quality))
+        });
+        match evaluated {
+            Ok((principal, quality)) => Ok(Self { placements, quality, principal }),
             Err(source) => {
                 let edges = placements.iter().map(|p| p.edge).collect();
                 Err(OptimizeError::OutOfRange { edges, source })
