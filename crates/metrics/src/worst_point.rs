@@ -41,11 +41,10 @@ impl<const N: usize> WorstPoint<N> {
     ) -> Result<Self, MetricsError> {
         let softest = Softness::whole(principal).largest(body.into())?;
         let Softest { point, corner, direction, compliance, bound } = softest;
-        if !(compliance > 0.0 && compliance.is_finite()) {
-            let stiffness = compliance.recip();
+        let (stiffness, at_least) = (compliance.recip(), bound.recip());
+        if !(stiffness > 0.0 && stiffness.is_finite()) {
             return Err(MetricsError::OutOfRange { stiffness, deflection: compliance });
         }
-        let (stiffness, at_least) = (compliance.recip(), bound.recip());
         Ok(Self { stiffness, at_least, point, corner, direction })
     }
 }

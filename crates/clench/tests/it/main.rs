@@ -10,4 +10,6 @@
 )]
 
 mod bodies;
+mod case;
 mod cases;
+mod metrics;

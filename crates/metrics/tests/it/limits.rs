@@ -1,7 +1,8 @@
 //! Stiffnesses without principal parameters, each with the reason.
 
-use clench_metrics::{MetricsError, Principal};
+use clench_metrics::{EquivalentStiffness, MetricsError, Principal, Quality, WorstPoint};
 use clench_screw::{Mat, ScrewError, Stiffness, Vector, Wrench};
+use clench_shape::{Ellipsoid, Extremes};
 
 fn spring<const N: usize, const M: usize>(point: [f64; N], normal: [f64; N]) -> Stiffness<N, M> {
     Stiffness::outer(&Wrench::of_force_at(normal.into(), point.into()))
@@ -85,4 +86,60 @@ fn tiny_numbers_are_not_taken_for_zero() {
     stiffness.rotational = Mat::new([[1e-60]]);
     let principal = Principal::of(Vector::ZERO, &stiffness).unwrap();
     assert_eq!(principal.rotational().values, [1e-60]);
+}
+
+fn diagonal(sigma: f64, mu: f64) -> Principal<3, 3> {
+    let stiffness = Stiffness {
+        translational: Mat::IDENTITY * sigma,
+        coupling: Mat::ZERO,
+        rotational: Mat::IDENTITY * mu,
+    };
+    Principal::of(Vector::ZERO, &stiffness).unwrap()
+}
+
+/// A body of 1e130 on a stiffness of 1e-80 gives way by more than a double can say.
+#[test]
+fn a_stiffness_that_no_double_can_hold_is_refused() {
+    let body = Extremes::new(&[[1e130, 0.0, 0.0], [0.0, 1e130, 0.0]]).unwrap();
+    let soft = diagonal(1.0, 1e-80);
+    let out_of_range = |found| matches!(found, Err(MetricsError::OutOfRange { .. }));
+    let quality = Quality::of(&soft, &body).map(|quality| quality.value);
+    assert!(out_of_range(quality));
+    assert!(out_of_range(EquivalentStiffness::least(&soft, &body).map(|least| least.value)));
+    let worst = WorstPoint::of(&soft, &body);
+    assert!(worst.is_err(), "{worst:?}");
+    let message = worst.unwrap_err().to_string();
+    assert!(message.contains("not a finite number") || message.contains("range of doubles"));
+}
+
+/// Sizes of 1e-9 and 1e9 are ordinary.
+#[test]
+fn small_and_large_bodies_have_the_same_measures_in_their_units() {
+    let cube = |size: f64| {
+        let corner = |i: usize| [0, 1, 2].map(|axis| if i >> axis & 1 == 1 { size } else { -size });
+        Extremes::new(&(0..8).map(corner).collect::<Vec<_>>()).unwrap()
+    };
+    for size in [1e-9, 1.0, 1e9] {
+        let principal = diagonal(3.0, 4.0 * size * size);
+        let quality = Quality::of(&principal, &cube(size)).unwrap();
+        assert!((quality.value - 4.0 / 3.0).abs() < 1e-14, "{quality:?}");
+        let worst = WorstPoint::of(&principal, &cube(size)).unwrap();
+        // 1 / 3 + 3 / 4
+        assert!((1.0 / worst.stiffness - 13.0 / 12.0).abs() < 1e-14);
+        let ball = Ellipsoid::new(Vector::ZERO, [size; 3]).unwrap();
+        let least = EquivalentStiffness::least(&principal, &ball).unwrap();
+        assert!((least.value - 4.0).abs() < 1e-13);
+    }
+}
+
+/// One point at the center of compliance: no rotation moves it, and its compliance is that of the
+/// translations.
+#[test]
+fn a_body_that_no_rotation_moves_has_no_equivalent_stiffness() {
+    let point = Extremes::new(&[[0.0; 3]]).unwrap();
+    let principal = diagonal(3.0, 4.0);
+    let found = Quality::of(&principal, &point).map(|quality| quality.value);
+    let deflection = 0.0;
+    assert_eq!(found, Err(MetricsError::OutOfRange { stiffness: f64::INFINITY, deflection }));
+    assert_eq!(WorstPoint::of(&principal, &point).unwrap().stiffness, 3.0);
 }

@@ -8,5 +8,9 @@
     reason = "a test that cannot go on fails, and exact results are compared exactly"
 )]
 
+mod beam_section;
+mod definitions;
 mod laws;
 mod limits;
+mod springs;
+mod trials;
