@@ -67,8 +67,8 @@ impl<const N: usize, const M: usize> Quality<N, M> {
     ///
     /// # Errors
     ///
-    /// [`MetricsError::NotFinite`] and [`MetricsError::OutOfRange`] when sizes are so unlike that
-    /// numbers overflow.
+    /// [`MetricsError::OutOfRange`] when sizes are so unlike that numbers overflow, or no rotation
+    /// moves the body.
     pub fn of<'a>(
         principal: &Principal<N, M>,
         body: impl Into<Extent<'a, N>>,

@@ -87,7 +87,10 @@ impl<'a, const N: usize, const M: usize> Softness<'a, N, M> {
     }
 
     fn at(&self, found: Extreme<N>) -> Result<Softest<N>, MetricsError> {
-        let eigen = SymmetricEigen::new(&self.matrix(found.point))?;
+        let Ok(eigen) = SymmetricEigen::new(&self.matrix(found.point)) else {
+            let (stiffness, deflection) = (0.0, f64::INFINITY);
+            return Err(MetricsError::OutOfRange { stiffness, deflection });
+        };
         let (compliance, direction) = (eigen.values[N - 1], eigen.vectors[N - 1]);
         let Extreme { point, corner, .. } = found;
         Ok(Softest { point, corner, direction, compliance, bound: compliance })

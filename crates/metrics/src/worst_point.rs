@@ -33,8 +33,7 @@ impl<const N: usize> WorstPoint<N> {
     ///
     /// # Errors
     ///
-    /// [`MetricsError::NotFinite`] and [`MetricsError::OutOfRange`] when sizes are so unlike that
-    /// numbers overflow.
+    /// [`MetricsError::OutOfRange`] when sizes are so unlike that numbers overflow.
     pub fn of<'a, const M: usize>(
         principal: &Principal<N, M>,
         body: impl Into<Extent<'a, N>>,
