@@ -25,8 +25,8 @@ pub struct Principal<const N: usize, const M: usize> {
     restricted: Mat<M, M>,
     /// `P_1 = -K_11^-1 K_12` about `origin`: the translation that goes with a rotation.
     twist_map: Mat<N, M>,
-    /// The root of the quotient of the traces of `K_22`, about a near origin, and `K_11`.
-    arm: f64,
+    /// The trace of `K_22` about the origin that the computation started from.
+    scale: f64,
 }
 
 impl<const N: usize, const M: usize> Principal<N, M> {
@@ -76,7 +76,6 @@ impl<const N: usize, const M: usize> Principal<N, M> {
         let twist_map = translational_compliance * stiffness.coupling * -1.0;
         let restricted = stiffness.rotational + stiffness.coupling.transpose() * twist_map;
         let rotational = SymmetricEigen::new(&restricted)?;
-        let arm = (scale / stiffness.translational.trace()).sqrt();
         let principal = Self {
             origin,
             translational,
@@ -84,7 +83,7 @@ impl<const N: usize, const M: usize> Principal<N, M> {
             translational_compliance,
             restricted,
             twist_map,
-            arm,
+            scale,
         };
         let value = rotational.values[0];
         if value > ZERO_STIFFNESS * scale {
@@ -196,11 +195,13 @@ impl<const N: usize, const M: usize> Principal<N, M> {
         &self.twist_map
     }
 
-    /// How far `P_1` may be off by rounding (length): of each contact a product with its arm, of
-    /// about the length of `arm`, is divided by the smallest of the stiffnesses.
+    /// How far `P_1` may be off by rounding (length): of each contact a product with its arm, about
+    /// the root of the quotient of the traces of `K_22` and `K_11`, is divided by the smallest of
+    /// the stiffnesses.
     pub(crate) fn map_rounding(&self) -> f64 {
         let sigma = &self.translational.values;
-        ZERO_STIFFNESS * self.arm * (sigma[N - 1] / sigma[0])
+        let arm = (self.scale / sigma.iter().sum::<f64>()).sqrt();
+        ZERO_STIFFNESS * arm * (sigma[N - 1] / sigma[0])
     }
 }
 

@@ -1,5 +1,7 @@
 //! Where a body gives way most: the largest of a compliance over its points and directions.
 
+use std::cell::Cell;
+
 use clench_screw::{Mat, SymmetricEigen, Vector, Wrench, lever};
 use clench_shape::{Extent, Extreme};
 
@@ -30,6 +32,14 @@ pub(crate) struct Softest<const N: usize> {
     pub(crate) bound: f64,
 }
 
+impl<const N: usize> Softest<N> {
+    fn new(found: Extreme<N>, eigen: &SymmetricEigen<N>) -> Self {
+        let (compliance, direction) = (eigen.values[N - 1], eigen.vectors[N - 1]);
+        let Extreme { point, corner, .. } = found;
+        Self { point, corner, direction, compliance, bound: compliance }
+    }
+}
+
 impl<'a, const N: usize, const M: usize> Softness<'a, N, M> {
     /// The compliance of the body to forces: all of `C_x`.
     pub(crate) fn whole(principal: &'a Principal<N, M>) -> Self {
@@ -47,12 +57,26 @@ impl<'a, const N: usize, const M: usize> Softness<'a, N, M> {
         Self { principal, base: Mat::ZERO, spread, growth: mu.values[first].sqrt().recip() }
     }
 
-    /// Where on the body it is largest.
+    /// Where on the body it is largest: its root, as a norm of `[base^(1/2), G]`, grows from place to
+    /// place no faster than `G`.
     pub(crate) fn largest(&self, body: Extent<'_, N>) -> Result<Softest<N>, MetricsError> {
         match body {
             Extent::Extremes(extremes) => {
-                let root = |x: Vector<N>, floor: f64| self.root_above(x, floor);
-                self.at(extremes.farthest_by(self.growth, root))
+                // The last one decomposed is the largest, as a rule.
+                let last = Cell::new(None);
+                let found = extremes.farthest_by(self.growth, |x, floor| {
+                    let matrix = self.matrix(x);
+                    if is_below(&matrix, floor) {
+                        return floor;
+                    }
+                    let eigen = SymmetricEigen::beside_largest(&matrix).ok();
+                    last.set(eigen.map(|eigen| (x, eigen)));
+                    eigen.map_or(f64::NAN, |eigen| eigen.values[N - 1])
+                });
+                match last.get() {
+                    Some((point, eigen)) if point == found.point => Ok(Softest::new(found, &eigen)),
+                    _ => self.at(found),
+                }
             }
             Extent::Ellipsoid(_) => self.largest_over_directions(body),
         }
@@ -75,25 +99,10 @@ impl<'a, const N: usize, const M: usize> Softness<'a, N, M> {
         self.base + moved * moved.transpose()
     }
 
-    /// The root of the compliance at a point, or an upper bound of it that is below the floor: as a
-    /// norm of `[base^(1/2), G]` it grows no faster than `G`.
-    fn root_above(&self, point: Vector<N>, floor: f64) -> f64 {
-        let matrix = self.matrix(point);
-        let bound = eigenvalue_bound(&matrix).sqrt();
-        if bound <= floor {
-            return bound;
-        }
-        SymmetricEigen::new(&matrix).map_or(f64::NAN, |eigen| eigen.values[N - 1].sqrt())
-    }
-
     fn at(&self, found: Extreme<N>) -> Result<Softest<N>, MetricsError> {
-        let Ok(eigen) = SymmetricEigen::new(&self.matrix(found.point)) else {
-            let (stiffness, deflection) = (0.0, f64::INFINITY);
-            return Err(MetricsError::OutOfRange { stiffness, deflection });
-        };
-        let (compliance, direction) = (eigen.values[N - 1], eigen.vectors[N - 1]);
-        let Extreme { point, corner, .. } = found;
-        Ok(Softest { point, corner, direction, compliance, bound: compliance })
+        let eigen = SymmetricEigen::beside_largest(&self.matrix(found.point));
+        let overflow = MetricsError::OutOfRange { stiffness: 0.0, deflection: f64::INFINITY };
+        eigen.map(|eigen| Softest::new(found, &eigen)).map_err(|_| overflow)
     }
 
     /// For a direction `u` the largest of `|[base^(1/2) u, G(x)^T u]|` over the points `x` of an
@@ -103,7 +112,7 @@ impl<'a, const N: usize, const M: usize> Softness<'a, N, M> {
             let farthest = self.farthest_along(body, u);
             let base = u.dot(self.base * u);
             let norm = base + farthest.value * farthest.value;
-            let eigen = SymmetricEigen::new(&self.matrix(farthest.point));
+            let eigen = SymmetricEigen::beside_largest(&self.matrix(farthest.point));
             let next = eigen.map_or(u, |eigen| eigen.vectors[N - 1]);
             (norm.sqrt(), next)
         });
@@ -127,17 +136,23 @@ impl<'a, const N: usize, const M: usize> Softness<'a, N, M> {
     }
 }
 
-/// An upper bound of the largest eigenvalue of a symmetric matrix, from its trace `t` and the sum
-/// `s` of the squares of its entries: `t / N + sqrt((N - 1) / N (s - t^2 / N))`, which it attains
-/// where all other eigenvalues are equal.
-fn eigenvalue_bound<const N: usize>(matrix: &Mat<N, N>) -> f64 {
-    /// The rounding of the sums, in units of the bound: each has at most nine terms.
-    const ROUNDING: f64 = 1.0 + 32.0 * f64::EPSILON;
-    let (trace, share) = (matrix.trace(), 1.0 / N as f64);
-    // The spread of the diagonal about its mean, which the difference would lose.
-    let mean = trace * share;
-    let entry = |i: usize, j: usize| if i == j { matrix[i][j] - mean } else { matrix[i][j] };
-    let squares: f64 =
-        (0..N).flat_map(|i| (0..N).map(move |j| (i, j))).map(|(i, j)| entry(i, j).powi(2)).sum();
-    (mean + ((1.0 - share) * squares).sqrt()) * ROUNDING
+/// Whether all eigenvalues of a symmetric matrix are below `floor`, to rounding: whether the
+/// pivots of `floor - matrix` are positive.
+fn is_below<const N: usize>(matrix: &Mat<N, N>, floor: f64) -> bool {
+    let mut rest =
+        Mat::<N, N>::from_fn(|i, j| if i == j { floor - matrix[i][j] } else { -matrix[i][j] });
+    for p in 0..N {
+        let pivot = rest[p][p];
+        if pivot <= 0.0 || pivot.is_nan() {
+            return false;
+        }
+        let inverse = pivot.recip();
+        for i in p + 1..N {
+            let factor = rest[i][p] * inverse;
+            for j in p + 1..N {
+                rest[i][j] -= factor * rest[p][j];
+            }
+        }
+    }
+    true
 }

@@ -68,8 +68,8 @@ impl<const N: usize> Extent<'_, N> {
     ) -> Extreme<N> {
         match self {
             Self::Extremes(extremes) => {
-                let image = |x: Vector<N>| (offset + *map * (x - origin)).norm();
-                extremes.farthest_by(growth, |x, _| image(x))
+                let image = |x: Vector<N>| offset + *map * (x - origin);
+                extremes.farthest_by(growth, |x, _| image(x).norm_squared())
             }
             Self::Ellipsoid(body) => body.farthest_image(origin, offset, map),
         }

@@ -22,7 +22,7 @@ const LEAF: usize = 16;
 /// ```
 /// use clench_shape::Extremes;
 /// let probes = Extremes::new(&[[0.0, 0.0, 0.0], [3.0, 4.0, 0.0], [0.0, 0.0, 1.0]])?;
-/// let farthest = probes.farthest_by(1.0, |point, _| point.norm());
+/// let farthest = probes.farthest_by(1.0, |point, _| point.norm_squared());
 /// assert_eq!((farthest.corner, farthest.value), (Some(1), 5.0));
 /// # Ok::<(), clench_shape::BodyError>(())
 /// ```
@@ -108,20 +108,24 @@ impl<const N: usize> Extremes<N> {
         &self.numbers
     }
 
-    /// The point at which `value` is largest.
+    /// The point at which `square` is largest: the square of something, such as a distance, that
+    /// from one place to another changes by at most `growth` per length.
     ///
-    /// From one place to another `value` changes by at most `growth` per length. It is given a
-    /// place, within the hull of the points, and a floor: where it is not above the floor it may
-    /// return any number from itself up to the floor. Of points equally far
-    /// any may be found, always the same for the same bits.
+    /// `square` is given a place, within the hull of the points, and a floor: where it is not above
+    /// the floor it may return any number from itself up to the floor. Of points equally far any
+    /// may be found, always the same for the same bits. The value found is the root.
     ///
     /// Cost: O(1) evaluations up to a few dozen points, then about the square root of their number
     /// where one place stands out, and all of them where all tie.
-    pub fn farthest_by(&self, growth: f64, value: impl Fn(Vector<N>, f64) -> f64) -> Extreme<N> {
-        let mut search = Search { extremes: self, growth, value, best: (0, f64::NEG_INFINITY) };
+    pub fn farthest_by(&self, growth: f64, square: impl Fn(Vector<N>, f64) -> f64) -> Extreme<N> {
+        let mut search = Search { extremes: self, growth, square, best: (0, f64::NEG_INFINITY) };
         search.visit(&self.root);
-        let (place, value) = search.best;
-        Extreme { point: self.points[place], corner: Some(self.numbers[place]), value }
+        let (place, square) = search.best;
+        Extreme {
+            point: self.points[place],
+            corner: Some(self.numbers[place]),
+            value: square.sqrt(),
+        }
     }
 }
 
@@ -159,11 +163,11 @@ fn extreme_in_plane(points: &[Vector<2>]) -> Vec<usize> {
     }
 }
 
-/// A search for the largest value, and the best so far.
+/// A search for the largest square, and the best so far.
 struct Search<'a, const N: usize, F> {
     extremes: &'a Extremes<N>,
     growth: f64,
-    value: F,
+    square: F,
     best: (usize, f64),
 }
 
@@ -172,18 +176,17 @@ impl<const N: usize, F: Fn(Vector<N>, f64) -> f64> Search<'_, N, F> {
         match &node.content {
             Content::Leaf(places) => {
                 for place in places.clone() {
-                    let value = (self.value)(self.extremes.points[place], self.best.1);
+                    let square = (self.square)(self.extremes.points[place], self.best.1);
                     // What is not a number is to be seen, and stays.
-                    if value > self.best.1 || value.is_nan() {
-                        self.best = (place, value);
+                    if square > self.best.1 || square.is_nan() {
+                        self.best = (place, square);
                     }
                 }
             }
             Content::Branches(branches) => {
-                let [one, other] = branches.each_ref().map(|branch| self.bound(branch));
-                let [near, far] = if one >= other { [0, 1] } else { [1, 0] };
-                let bounds = [one, other];
-                for branch in [near, far] {
+                let bounds = branches.each_ref().map(|branch| self.bound(branch));
+                let order = if bounds[0] >= bounds[1] { [0, 1] } else { [1, 0] };
+                for branch in order {
                     if bounds[branch] > self.best.1 {
                         self.visit(&branches[branch]);
                     }
@@ -192,9 +195,11 @@ impl<const N: usize, F: Fn(Vector<N>, f64) -> f64> Search<'_, N, F> {
         }
     }
 
-    /// What no value in the node exceeds.
+    /// What no square in the node exceeds.
     fn bound(&self, node: &Node<N>) -> f64 {
         let rise = self.growth * node.radius;
-        (self.value)(node.center, self.best.1 - rise) + rise
+        let room = (self.best.1.max(0.0).sqrt() - rise).max(0.0);
+        let root = (self.square)(node.center, room * room).sqrt() + rise;
+        root * root
     }
 }

@@ -26,7 +26,7 @@ impl<const N: usize> Ellipsoid<N> {
         let size = stretched.max_abs().max(start.max_abs());
         let unit = if size > 0.0 { size.recip() } else { 0.0 };
         let (stretched, start) = (stretched * unit, start * unit);
-        let Ok(eigen) = SymmetricEigen::new(&(stretched.transpose() * stretched)) else {
+        let Ok(eigen) = SymmetricEigen::beside_largest(&(stretched.transpose() * stretched)) else {
             // What is not a number has no largest value.
             return Extreme { point: self.center, corner: None, value: f64::NAN };
         };

@@ -74,7 +74,10 @@ fn only_corners_of_the_hull_are_extreme() {
     assert_eq!(ends, [0, 1]);
     assert_eq!(Extremes::new(&[[5.0, 5.0]]).unwrap().numbers(), [0]);
     assert_eq!(
-        Extremes::new(&[[5.0, 5.0], [5.0, 5.0]]).unwrap().farthest_by(1.0, |p, _| p[0]).value,
+        Extremes::new(&[[3.0, 4.0], [3.0, 4.0]])
+            .unwrap()
+            .farthest_by(1.0, |p, _| p.norm_squared())
+            .value,
         5.0
     );
 }
