@@ -3,12 +3,13 @@
 use crate::energy_ellipsoids::EnergyEllipsoids;
 use crate::energy_scene::Scene;
 use crate::energy_surface::{EnergySpace, EnergySurface};
-use crate::error::DrawError;
+use crate::error::{DrawError, Input};
 use crate::figure::Figure;
 use crate::number::readable;
 use crate::paint::{Color, Stroke};
 use crate::text::{Anchor, SMALL_SIZE, TITLE_SIZE, Text};
 use crate::view::View;
+use crate::world_map::finite;
 
 /// Page units per unit of the scene, in which the larger ellipsoid is two wide.
 const SCENE_UNIT: f64 = 75.0;
@@ -29,7 +30,7 @@ const COLORS: [Color; 2] = [Color::BLUE, Color::ORANGE];
 
 pub(crate) fn draw(picture: &EnergyEllipsoids) -> Result<Figure, DrawError> {
     let surfaces = picture.surfaces()?;
-    let factors = factors(&surfaces);
+    let factors = factors(&surfaces)?;
     let solids = surfaces.map(|surface| surface.scaled(factors));
     let extents = solids.map(|solid| solid.half_extents());
     let widest = |i: usize| extents[0][i].max(extents[1][i]);
@@ -55,11 +56,15 @@ pub(crate) fn draw(picture: &EnergyEllipsoids) -> Result<Figure, DrawError> {
 
 /// One scale for both horizontal coordinates, so that sections keep their shape, and one for
 /// the height, so that the scene is about as high as wide.
-fn factors(surfaces: &[EnergySurface; 2]) -> [f64; 3] {
+fn factors(surfaces: &[EnergySurface; 2]) -> Result<[f64; 3], DrawError> {
     let extents = surfaces.map(|surface| surface.half_extents());
     let widest = |i: usize| extents[0][i].max(extents[1][i]);
-    let horizontal = 1.0 / widest(0).max(widest(1));
-    [horizontal, horizontal, 1.0 / widest(2)]
+    let factor = |extent: f64, index: usize| {
+        finite(extent, Input::Extent, index)?;
+        finite(1.0 / extent, Input::Extent, index)
+    };
+    let horizontal = factor(widest(0).max(widest(1)), 0)?;
+    Ok([horizontal, horizontal, factor(widest(2), 1)?])
 }
 
 /// The azimuth from which the slanted ellipsoid leans most across the line of sight.
@@ -92,8 +97,7 @@ fn key(picture: &EnergyEllipsoids, surfaces: &[EnergySurface; 2], figure: &mut F
         figure.caption([left + 30.0, y], &text);
         y += 1.6 * SMALL_SIZE;
     }
-    let [a, b, _] = surfaces[0].columns();
-    let [short, long] = [a[0].hypot(a[1]), b[0].hypot(b[1])].map(readable);
+    let [short, long] = surfaces[0].semi_axes().map(readable);
     let shared = match picture.space {
         EnergySpace::Twist => {
             format!("both: section ω = 0 (thick) with semi-axes √(2/σ_{{i}}) = {short} and {long}")

@@ -5,22 +5,22 @@ use crate::error::{DrawError, Input};
 use crate::figure::Figure;
 use crate::world_map::UNSEEN;
 
-/// The paper's Figures 1 and 2: the level set `x^T A x = 2` of one grasp's energy, once in
-/// the frame at the center of compliance and once in another.
+/// The paper's Figures 1 and 2: the surface of unit energy of one grasp, once in the frame at the
+/// center of compliance and once in another, shifted one.
 ///
-/// Coordinates are `(v_x, v_y, ω)` for twists, `A = K`, and `(f_x, f_y, τ)` for wrenches,
-/// `A = K^{-1}`. The drawing shows what the change of frame leaves alone: for twists the
-/// horizontal sections and the bounding planes, for wrenches the cylinder over the
-/// projection and the points on the vertical axis. The vertical axis has its own scale.
-/// The view is parallel, so that equal sections look equal.
+/// Each ellipsoid is given by three of its points, see [`EnergySpace`]. The drawing shows what the
+/// shift leaves alone: for twists the horizontal sections and the bounding planes, for wrenches
+/// the cylinder over the projection and the points on the vertical axis. The vertical axis has
+/// its own scale. The view is parallel, so that equal sections look equal.
 ///
 /// ```
 /// use clench_draw::{EnergyEllipsoids, EnergySpace};
 ///
+/// // 2 against translations, 8 against rotation, about the center and one length below it.
 /// let picture = EnergyEllipsoids::new(
 ///     EnergySpace::Twist,
-///     [[2.0, 0.0, 0.0], [0.0, 2.0, 0.0], [0.0, 0.0, 8.0]],
-///     [[2.0, 0.0, -2.0], [0.0, 2.0, 0.0], [-2.0, 0.0, 10.0]],
+///     [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 0.5]],
+///     [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.5, 0.0, 0.5]],
 /// );
 /// // Both are sqrt(2 / 8) high.
 /// assert!(picture.figure()?.to_svg().contains("ω = √(2/μ) = 0.5<"));
@@ -30,9 +30,10 @@ use crate::world_map::UNSEEN;
 pub struct EnergyEllipsoids {
     /// Twists or wrenches.
     pub space: EnergySpace,
-    /// The matrix in the frame at the center of compliance: block-diagonal.
+    /// Three points in the frame at the center of compliance, where translation and rotation
+    /// decouple.
     pub upright: [[f64; 3]; 3],
-    /// The matrix in the other frame.
+    /// The same points in the other frame.
     pub slanted: [[f64; 3]; 3],
     /// How the key names the first frame.
     pub upright_label: String,
@@ -59,9 +60,9 @@ impl EnergyEllipsoids {
     /// Draws the picture.
     ///
     /// # Errors
-    /// [`DrawError::NotFinite`], [`DrawError::NotSymmetric`] or
-    /// [`DrawError::NotPositiveDefinite`] for either matrix; [`DrawError::NotUpright`] for
-    /// coupling in the first; [`DrawError::DifferentGrasps`] if the two are not one energy.
+    /// [`DrawError::NotFinite`], [`DrawError::NotTriangular`], [`DrawError::Flat`] or
+    /// [`DrawError::NotSemiAxes`] for either ellipsoid; [`DrawError::NotUpright`] if the first
+    /// leans; [`DrawError::DifferentGrasps`] if the two are not one energy.
     pub fn figure(&self) -> Result<Figure, DrawError> {
         crate::energy_drawing::draw(self)
     }
@@ -70,17 +71,15 @@ impl EnergyEllipsoids {
     pub(crate) fn surfaces(&self) -> Result<[EnergySurface; 2], DrawError> {
         let upright = EnergySurface::new(self.upright, self.space, Input::Upright)?;
         let slanted = EnergySurface::new(self.slanted, self.space, Input::Slanted)?;
-        let [[xx, _, xz], [_, yy, yz], [.., zz]] = self.upright;
-        let coupling = xz.hypot(yz) / (xx.max(yy) * zz).sqrt();
-        if coupling > UNSEEN {
-            return Err(DrawError::NotUpright { coupling });
-        }
-        let lengths = |surface: &EnergySurface| {
-            let [a, b, pole] = surface.columns();
-            let (a, b) = (a[0].hypot(a[1]), b[0].hypot(b[1]));
-            [a.min(b), a.max(b), pole[2]]
+        let [a, b, pole] = upright.columns();
+        let lean = match self.space {
+            EnergySpace::Twist => pole[0].hypot(pole[1]) / upright.semi_axes()[1],
+            EnergySpace::Wrench => a[2].hypot(b[2]) / pole[2],
         };
-        for (upright, slanted) in lengths(&upright).into_iter().zip(lengths(&slanted)) {
+        if lean > UNSEEN {
+            return Err(DrawError::NotUpright { lean });
+        }
+        for (upright, slanted) in upright.invariants().into_iter().zip(slanted.invariants()) {
             if (upright - slanted).abs() > UNSEEN * upright {
                 return Err(DrawError::DifferentGrasps { upright, slanted });
             }

@@ -1,19 +1,28 @@
 //! The level set of an energy as the affine image of the unit sphere.
 
+use std::f64::consts::FRAC_1_SQRT_2;
+
 use clench_screw::spatial::cross;
-use clench_screw::{Cholesky, Mat, ScrewError, SymmetricEigen, Vector};
+use clench_screw::{Mat, Vector};
 
 use crate::error::{DrawError, Input};
 use crate::world_map::{UNSEEN, finite};
 
-/// Which energy is drawn, and so which curves of its level set no change of frame alters.
+/// Which energy is drawn, and so which curves of its surface no shift of the frame alters.
+///
+/// An ellipsoid is told by three of its points, which are the images of the axes of the unit
+/// sphere under a linear map.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum EnergySpace {
-    /// Coordinates `(v_x, v_y, ω)`, matrix `K`: horizontal sections keep their shape, and the
-    /// height is the same in all frames [LBR, Fig. 1].
+    /// The surface `q^T K q = 2` in coordinates `(v_x, v_y, ω)`: horizontal sections keep their
+    /// shape, and the height is the same in all frames [LBR, Fig. 1].
+    ///
+    /// Its points: on the two semi-axes of the section without rotation, and the highest.
     Twist,
-    /// Coordinates `(f_x, f_y, τ)`, matrix `C`: vertical chords keep their length, and the
-    /// horizontal projection is the same in all frames [LBR, Fig. 2].
+    /// The surface `w^T C w = 2` in coordinates `(f_x, f_y, τ)`: vertical chords keep their
+    /// length, and the horizontal projection is the same in all frames [LBR, Fig. 2].
+    ///
+    /// Its points: over the two semi-axes of the projection, and that without force.
     Wrench,
 }
 
@@ -33,13 +42,12 @@ impl SpaceEllipse {
     }
 }
 
-/// The ellipsoid `x^T A x = 2` as the image of the unit sphere under a linear map.
+/// An ellipsoid about the origin as the image of the unit sphere under a linear map.
 ///
 /// The map is triangular by blocks, so that the sphere's circles of latitude become the
-/// curves that matter in each space. Twists: latitude `h` is the section at height
-/// `h sqrt(2 / s)`, `s` the Schur complement of the translational block, and the poles touch
-/// the bounding planes. Wrenches: the equator touches the vertical cylinder over the
-/// horizontal projection, and the poles lie on the vertical axis.
+/// curves that matter in each space. Twists: latitude `h` is the section at `h` times the height
+/// of the pole, and the poles touch the bounding planes. Wrenches: the equator touches the
+/// vertical cylinder over the horizontal projection, and the poles lie on the vertical axis.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct EnergySurface {
     /// The images of the sphere's axes.
@@ -49,37 +57,20 @@ pub(crate) struct EnergySurface {
 }
 
 impl EnergySurface {
+    /// The surface through the images of the sphere's axes, which are checked.
     pub(crate) fn new(
-        matrix: [[f64; 3]; 3],
+        points: [[f64; 3]; 3],
         space: EnergySpace,
         input: Input,
     ) -> Result<Self, DrawError> {
-        check_entries(matrix, input)?;
-        // The order of elimination: the block that the space divides by comes first.
-        let order = match space {
-            EnergySpace::Twist => [0, 1, 2],
-            EnergySpace::Wrench => [2, 0, 1],
-        };
-        let factors = Cholesky::new(&Mat::from_fn(|i, j| matrix[order[i]][order[j]]))
-            .map_err(|fault| not_positive_definite(&fault, input))?;
-        let [[xx, xy, xz], [_, yy, yz], [.., zz]] = matrix;
-        let columns = match space {
-            EnergySpace::Twist => {
-                let [a, b] = semi_axes([[xx, xy], [xy, yy]]);
-                // Highest where the gradient is vertical.
-                let top = factors.solve(Vector::new([0.0, 0.0, 1.0]));
-                [[a[0], a[1], 0.0].into(), [b[0], b[1], 0.0].into(), top * (2.0 / top[2]).sqrt()]
-            }
-            EnergySpace::Wrench => {
-                let tilt = [-xz / zz, -yz / zz];
-                let across = xy + xz * tilt[1];
-                let projected = [[xx + xz * tilt[0], across], [across, yy + yz * tilt[1]]];
-                let [a, b] = semi_axes(projected)
-                    .map(|axis| [axis[0], axis[1], tilt[0] * axis[0] + tilt[1] * axis[1]].into());
-                [a, b, Vector::new([0.0, 0.0, (2.0 / zz).sqrt()])]
-            }
-        };
-        Ok(Self::of(columns))
+        for (index, point) in points.iter().enumerate() {
+            point.iter().try_for_each(|&value| finite(value, input, index).map(|_| ()))?;
+        }
+        check_triangular(&points, space, input)?;
+        check_semi_axes(&points, input)?;
+        let [a, b, pole] = points.map(Vector::new);
+        // The surface holds the opposite of each point too; the pole is the upper one.
+        Ok(Self::of([a, b, pole * pole[2].signum()]))
     }
 
     fn of(columns: [Vector<3>; 3]) -> Self {
@@ -89,7 +80,7 @@ impl EnergySurface {
         Self { columns, inverse }
     }
 
-    /// The image of a point of the unit sphere: it satisfies `x^T A x = 2`.
+    /// The image of a point of the unit sphere.
     pub(crate) fn point(&self, sphere: Vector<3>) -> Vector<3> {
         let [a, b, c] = self.columns;
         a * sphere[0] + b * sphere[1] + c * sphere[2]
@@ -104,6 +95,21 @@ impl EnergySurface {
     pub(crate) fn half_extents(&self) -> [f64; 3] {
         let [a, b, c] = self.columns;
         [0, 1, 2].map(|i| a[i].hypot(b[i]).hypot(c[i]))
+    }
+
+    /// Lengths that no shift of the frame alters: three half-widths of the invariant ellipse,
+    /// which no other ellipse shares, and the height of the pole.
+    pub(crate) fn invariants(&self) -> [f64; 4] {
+        let [a, b, pole] = self.columns;
+        let along = |x: f64, y: f64| (a[0] * x + a[1] * y).hypot(b[0] * x + b[1] * y);
+        [along(1.0, 0.0), along(0.0, 1.0), along(FRAC_1_SQRT_2, FRAC_1_SQRT_2), pole[2]]
+    }
+
+    /// The semi-axes of the invariant ellipse, the shorter first.
+    pub(crate) fn semi_axes(&self) -> [f64; 2] {
+        let [a, b, _] = self.columns;
+        let (a, b) = (a[0].hypot(a[1]), b[0].hypot(b[1]));
+        [a.min(b), a.max(b)]
     }
 
     /// The image of the circle at this height on the sphere, from -1 to 1.
@@ -135,7 +141,7 @@ impl EnergySurface {
         Vector::new(self.inverse.map(|row| row.dot(point)))
     }
 
-    /// The matrix `A / 2`, rebuilt from the map.
+    /// The matrix of the form that is 1 on the surface.
     pub(crate) fn half_matrix(&self) -> Mat<3, 3> {
         Mat::from_fn(|i, j| self.inverse.iter().map(|row| row[i] * row[j]).sum())
     }
@@ -146,34 +152,44 @@ impl EnergySurface {
     }
 }
 
-fn check_entries(matrix: [[f64; 3]; 3], input: Input) -> Result<(), DrawError> {
-    for (index, &value) in matrix.as_flattened().iter().enumerate() {
-        finite(value, input, index)?;
-    }
-    for (row, column) in [(0, 1), (0, 2), (1, 2)] {
-        let difference = matrix[row][column] - matrix[column][row];
-        let size = (matrix[row][row].abs() * matrix[column][column].abs()).sqrt();
-        if difference.abs() > UNSEEN * size {
-            return Err(DrawError::NotSymmetric { input, row, column, difference });
+/// Sections are horizontal and the wrench's pole is vertical: the other coordinates have to be 0.
+fn check_triangular(
+    points: &[[f64; 3]; 3],
+    space: EnergySpace,
+    input: Input,
+) -> Result<(), DrawError> {
+    let [a, b, pole] = points;
+    let (zeros, size): (&[(usize, usize)], f64) = match space {
+        EnergySpace::Twist => (&[(0, 2), (1, 2)], pole[2].abs()),
+        EnergySpace::Wrench => (&[(2, 0), (2, 1)], a[0].hypot(a[1]).max(b[0].hypot(b[1]))),
+    };
+    for &(point, coordinate) in zeros {
+        let value = points[point][coordinate];
+        if value.abs() > UNSEEN * size {
+            return Err(DrawError::NotTriangular { input, point, coordinate, value });
         }
     }
     Ok(())
 }
 
-/// The semi-axes of the ellipse `x^T S x = 2` of a positive definite matrix, the shorter first.
-fn semi_axes(matrix: [[f64; 2]; 2]) -> [Vector<2>; 2] {
-    #[expect(clippy::expect_used, reason = "entries were checked, or bounded by checked ones")]
-    let eigen = SymmetricEigen::new(&matrix.into()).expect("entries are finite");
-    [1, 0].map(|i| eigen.vectors[i] * (2.0 / eigen.values[i]).sqrt())
-}
-
-fn not_positive_definite(fault: &ScrewError, input: Input) -> DrawError {
-    match *fault {
-        ScrewError::NotPositiveDefinite { pivot, value, .. } => {
-            DrawError::NotPositiveDefinite { input, pivot, value }
+/// The first two points lie over the semi-axes of an ellipse, and the third is off the floor.
+fn check_semi_axes(points: &[[f64; 3]; 3], input: Input) -> Result<(), DrawError> {
+    let [a, b, pole] = points;
+    let length_a = finite(a[0].hypot(a[1]), input, 0)?;
+    let length_b = finite(b[0].hypot(b[1]), input, 1)?;
+    for (point, length, other) in [(0, length_a, length_b), (1, length_b, length_a)] {
+        if length <= UNSEEN * other {
+            return Err(DrawError::Flat { input, point });
         }
-        _ => unreachable!("the entries are finite"),
     }
+    if pole[2] == 0.0 {
+        return Err(DrawError::Flat { input, point: 2 });
+    }
+    let cosine = a[0] / length_a * (b[0] / length_b) + a[1] / length_a * (b[1] / length_b);
+    if cosine.abs() > UNSEEN {
+        return Err(DrawError::NotSemiAxes { input, cosine });
+    }
+    Ok(())
 }
 
 fn unit(a: Vector<3>) -> Vector<3> {

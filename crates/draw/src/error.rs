@@ -28,12 +28,26 @@ pub enum Input {
     FarthestCorner,
     /// A corner of the shaded region with this index.
     Region(usize),
+    /// A point of the way with this index.
+    Way(usize),
     /// The point of a note.
     Note,
-    /// The matrix of the upright ellipsoid; entries count row by row.
+    /// A point of the upright ellipsoid.
     Upright,
-    /// The matrix of the slanted ellipsoid; entries count row by row.
+    /// A point of the slanted ellipsoid.
     Slanted,
+    /// The low end (0), the high end (1) or the width (2) of a chart's axis.
+    AxisRange,
+    /// A tick of a chart's axis.
+    Tick,
+    /// A point of the curve with this index.
+    Curve(usize),
+    /// A place of the band with this index.
+    Band(usize),
+    /// A span of the veil with this index.
+    Veil(usize),
+    /// A named point of a chart.
+    ChartMark,
 }
 
 impl fmt::Display for Input {
@@ -50,9 +64,16 @@ impl fmt::Display for Input {
             Self::Center => f.write_str("center of compliance"),
             Self::FarthestCorner => f.write_str("farthest corner"),
             Self::Region(region) => write!(f, "region {region}"),
+            Self::Way(way) => write!(f, "way {way}"),
             Self::Note => f.write_str("note"),
-            Self::Upright => f.write_str("upright matrix"),
-            Self::Slanted => f.write_str("slanted matrix"),
+            Self::Upright => f.write_str("upright ellipsoid"),
+            Self::Slanted => f.write_str("slanted ellipsoid"),
+            Self::AxisRange => f.write_str("range of an axis"),
+            Self::Tick => f.write_str("tick"),
+            Self::Curve(curve) => write!(f, "curve {curve}"),
+            Self::Band(band) => write!(f, "band {band}"),
+            Self::Veil(veil) => write!(f, "veil {veil}"),
+            Self::ChartMark => f.write_str("mark"),
         }
     }
 }
@@ -66,7 +87,7 @@ pub enum DrawError {
     NotFinite {
         /// What the number belongs to.
         input: Input,
-        /// Which point, finger or matrix entry, from zero.
+        /// Which point or finger, from zero.
         index: usize,
         /// The number as given.
         value: f64,
@@ -81,7 +102,7 @@ pub enum DrawError {
         /// Its largest page coordinate.
         distance: f64,
     },
-    /// A polygon needs three corners.
+    /// A polygon needs three corners, a line two points.
     #[error("{input}: {found} points, but {needed} are needed")]
     TooFewPoints {
         /// What the points belong to.
@@ -151,41 +172,75 @@ pub enum DrawError {
     /// A farthest corner is given without the center it is farthest from.
     #[error("a farthest corner is given without a center of compliance")]
     ReachWithoutCenter,
-    /// The matrix of an energy is not symmetric, to the accuracy of a drawing.
-    #[error("{input}: entries ({row}, {column}) and ({column}, {row}) differ by {difference}")]
-    NotSymmetric {
-        /// The upright or the slanted matrix.
+    /// A point of an ellipsoid of twists rises where its section is horizontal, or the third
+    /// point of one of wrenches has a force, to the accuracy of a drawing.
+    #[error("{input}: coordinate {coordinate} of point {point} is {value} instead of 0")]
+    NotTriangular {
+        /// The upright or the slanted ellipsoid.
         input: Input,
-        /// Row of the entry above the diagonal.
-        row: usize,
-        /// Column of the entry above the diagonal.
-        column: usize,
-        /// What one entry has more than the other.
-        difference: f64,
-    },
-    /// The energy is not positive definite, so its level set is not an ellipsoid.
-    #[error("{input}: not positive definite, pivot {pivot} is {value}")]
-    NotPositiveDefinite {
-        /// The upright or the slanted matrix.
-        input: Input,
-        /// Which pivot of the elimination, from zero.
-        pivot: usize,
-        /// Its value.
+        /// Which of its three points, from zero.
+        point: usize,
+        /// Which coordinate of the point, from zero.
+        coordinate: usize,
+        /// The coordinate.
         value: f64,
     },
-    /// The matrix given as upright couples translation and rotation.
-    #[error("the upright matrix is not block-diagonal: its coupling is {coupling} of its scale")]
-    NotUpright {
-        /// Coupling over the geometric mean of the diagonal blocks.
-        coupling: f64,
+    /// A point of an ellipsoid is so near to its middle that it shows as a line, or is flat.
+    #[error("{input}: point {point} is too near to the middle, the ellipsoid is flat")]
+    Flat {
+        /// The upright or the slanted ellipsoid.
+        input: Input,
+        /// Which of its three points, from zero.
+        point: usize,
     },
-    /// The two matrices are not one energy in two frames: a length that no frame changes differs.
+    /// The first two points of an ellipsoid do not lie over the axes of an ellipse.
+    #[error("{input}: points 0 and 1 are not over semi-axes, the cosine between them is {cosine}")]
+    NotSemiAxes {
+        /// The upright or the slanted ellipsoid.
+        input: Input,
+        /// The cosine of the angle between their horizontal parts.
+        cosine: f64,
+    },
+    /// The ellipsoid given as upright couples translation and rotation.
+    #[error("the upright ellipsoid leans by {lean} of its size")]
+    NotUpright {
+        /// How far its top, or its widest section, is off over the half-width there.
+        lean: f64,
+    },
+    /// The two ellipsoids are not one energy in two shifted frames: a length that no shift changes
+    /// differs.
     #[error("the ellipsoids belong to different grasps: invariant lengths {upright} and {slanted}")]
     DifferentGrasps {
         /// The length in the upright ellipsoid.
         upright: f64,
         /// The same length in the slanted one.
         slanted: f64,
+    },
+    /// A chart's axis ends before this value.
+    #[error("{input}: entry {index} at {value} is not between {low} and {high}")]
+    OutOfRange {
+        /// What the value belongs to.
+        input: Input,
+        /// Which point, tick or span, from zero.
+        index: usize,
+        /// The value as given.
+        value: f64,
+        /// The low end of the axis.
+        low: f64,
+        /// The high end of the axis.
+        high: f64,
+    },
+    /// What goes from a lower value to a higher one does not.
+    #[error("{input}: entry {index} goes from {low} to {high}, which is not above")]
+    NotAscending {
+        /// The axis, the band or the veil.
+        input: Input,
+        /// Which place or span, from zero.
+        index: usize,
+        /// The value that should be the lower one.
+        low: f64,
+        /// The value that should be the higher one.
+        high: f64,
     },
     /// The raster would have no pixel, or more than the renderer can hold.
     #[error("scale {scale} does not give a raster between 1 and {limit} pixels a side")]

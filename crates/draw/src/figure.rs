@@ -26,8 +26,9 @@ const HIGHLIGHT: f64 = 0.4;
 const BORDER: f64 = 12.0;
 
 /// A finished picture, from [`GraspPicture::figure`](crate::GraspPicture::figure),
-/// [`ContactPicture::figure`](crate::ContactPicture::figure) or
-/// [`EnergyEllipsoids::figure`](crate::EnergyEllipsoids::figure).
+/// [`ContactPicture::figure`](crate::ContactPicture::figure),
+/// [`EnergyEllipsoids::figure`](crate::EnergyEllipsoids::figure) or
+/// [`Chart::figure`](crate::Chart::figure).
 ///
 /// The page is what was drawn plus a white border, so nothing is cut off. Its unit is the CSS
 /// pixel.
@@ -64,8 +65,22 @@ impl Figure {
     ///
     /// Bounds without extent are drawn at one page unit per world unit.
     pub(crate) fn new(bounds: [[f64; 2]; 2], size: [f64; 2]) -> Result<Self, DrawError> {
-        let map = WorldMap::fit(bounds, size)?;
-        Ok(Self { map, ink: PageBox::EMPTY, body: String::new(), gradients: 0 })
+        Self::within(bounds, PageBox { min: [0.0, 0.0], max: size })
+    }
+
+    /// The same with any page rectangle.
+    pub(crate) fn within(bounds: [[f64; 2]; 2], frame: PageBox) -> Result<Self, DrawError> {
+        Ok(Self { map: WorldMap::fit(bounds, frame)?, ..Self::blank() })
+    }
+
+    /// An empty figure in page units, y up.
+    pub(crate) const fn blank() -> Self {
+        Self { map: WorldMap::PAGE, ink: PageBox::EMPTY, body: String::new(), gradients: 0 }
+    }
+
+    /// The figure to go on in page units, y up.
+    pub(crate) fn on_page(self) -> Self {
+        Self { map: WorldMap::PAGE, ..self }
     }
 
     /// From the world to the page.
@@ -206,6 +221,7 @@ impl Figure {
         let middle = match text.anchor {
             Anchor::Start => page[0] + width / 2.0,
             Anchor::Middle => page[0],
+            Anchor::End => page[0] - width / 2.0,
         };
         let area = PageBox::centered([middle, page[1]], [width, height]);
         self.ink.include(area.min, 0.0);

@@ -7,13 +7,13 @@ use crate::caption;
 use crate::error::DrawError;
 use crate::figure::Figure;
 use crate::finger::Finger;
-use crate::grasp_picture::GraspPicture;
+use crate::grasp_picture::{GraspPicture, Way};
 use crate::labels::{Labels, Weight};
 use crate::page_box::PageBox;
 use crate::paint::{Color, Paint, Stroke};
 
-/// The page rectangle the part is fitted into, in page units.
-const PLOT: [f64; 2] = [440.0, 380.0];
+/// The page rectangle that the part of a picture of its own is fitted into.
+pub(crate) const PLOT: PageBox = PageBox { min: [0.0, 0.0], max: [440.0, 380.0] };
 
 /// Length and half-width of a pointed finger, and the length of the arrow of its force.
 pub(crate) const WEDGE: [f64; 2] = [30.0, 7.0];
@@ -43,15 +43,18 @@ pub(crate) struct Drawing<'a> {
     extent: f64,
 }
 
-pub(crate) fn draw(picture: &GraspPicture) -> Result<Figure, DrawError> {
+/// Draws a grasp whose part is fitted into a page rectangle.
+pub(crate) fn draw(picture: &GraspPicture, plot: PageBox) -> Result<Figure, DrawError> {
+    picture.check()?;
     let bounds = picture.bounds();
     let extent = (bounds[1][0] - bounds[0][0]).max(bounds[1][1] - bounds[0][1]);
-    let figure = Figure::new(bounds, PLOT)?;
+    let figure = Figure::within(bounds, plot)?;
     picture.check_on_page(figure.map())?;
     let mut drawing = Drawing { picture, figure, labels: Labels::default(), extent };
     drawing.part();
     drawing.lines_of_action();
     drawing.reach();
+    drawing.ways();
     drawing.outline();
     for finger in &picture.fingers {
         drawing.finger(finger);
@@ -127,6 +130,20 @@ impl Drawing<'_> {
         for i in 0..8 {
             let at = |i: f64| arc.point(middle + (i / 4.0 - 1.0) * REACH_ARC);
             self.avoid(at(f64::from(i)), at(f64::from(i + 1)), Weight::Soft);
+        }
+    }
+
+    /// Dashed lines with an arrow at the end.
+    fn ways(&mut self) {
+        for Way { points, color } in &self.picture.ways {
+            let stroke = Stroke::dashed(*color, 1.6);
+            if let [.., from, to] = points.as_slice() {
+                self.figure.polyline(&points[..points.len() - 1], stroke);
+                self.figure.arrow(*from, *to, stroke);
+            }
+            for ends in points.windows(2) {
+                self.avoid(ends[0], ends[1], Weight::Hard);
+            }
         }
     }
 

@@ -24,6 +24,15 @@ pub struct Region {
     pub color: Color,
 }
 
+/// A line along which something moves, with an arrow at its end.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Way {
+    /// Its points in order, two or more.
+    pub points: Vec<[f64; 2]>,
+    /// Its color.
+    pub color: Color,
+}
+
 /// A planar grasp as plain numbers, drawn by [`GraspPicture::figure`].
 ///
 /// Every field may be left empty but the outline. Nothing is computed from the fields: the
@@ -63,6 +72,8 @@ pub struct GraspPicture {
     pub farthest_corner: Option<[f64; 2]>,
     /// Shaded polygons over the part and under everything else.
     pub regions: Vec<Region>,
+    /// Lines with an arrow, under fingers and marks.
+    pub ways: Vec<Way>,
     /// Further dots with names.
     pub notes: Vec<Mark>,
     /// Lines of text beside the part, or below one that is wide.
@@ -77,8 +88,7 @@ impl GraspPicture {
     /// [`DrawError::NormalNotUnit`] or [`DrawError::ReachWithoutCenter`] for what the fields
     /// hold, [`DrawError::OffPage`] for marks absurdly far from the part.
     pub fn figure(&self) -> Result<Figure, DrawError> {
-        self.check()?;
-        crate::grasp_drawing::draw(self)
+        crate::grasp_drawing::draw(self, crate::grasp_drawing::PLOT)
     }
 
     /// The corners of the box around the outline and everything that touches it.
@@ -96,10 +106,13 @@ impl GraspPicture {
         bounds
     }
 
-    fn check(&self) -> Result<(), DrawError> {
-        ring(&self.outline, Input::Outline)?;
+    pub(crate) fn check(&self) -> Result<(), DrawError> {
+        points(&self.outline, 3, Input::Outline)?;
         for (index, region) in self.regions.iter().enumerate() {
-            ring(&region.corners, Input::Region(index))?;
+            points(&region.corners, 3, Input::Region(index))?;
+        }
+        for (index, way) in self.ways.iter().enumerate() {
+            points(&way.points, 2, Input::Way(index))?;
         }
         for (index, finger) in self.fingers.iter().enumerate() {
             finger.check(index)?;
@@ -126,6 +139,11 @@ impl GraspPicture {
                 map.check(corner, Input::Region(number), index)?;
             }
         }
+        for (number, way) in self.ways.iter().enumerate() {
+            for (index, &at) in way.points.iter().enumerate() {
+                map.check(at, Input::Way(number), index)?;
+            }
+        }
         for (index, note) in self.notes.iter().enumerate() {
             map.check(note.point, Input::Note, index)?;
         }
@@ -133,11 +151,11 @@ impl GraspPicture {
     }
 }
 
-fn ring(corners: &[[f64; 2]], input: Input) -> Result<(), DrawError> {
-    if corners.len() < 3 {
-        return Err(DrawError::TooFewPoints { input, found: corners.len(), needed: 3 });
+fn points(all: &[[f64; 2]], needed: usize, input: Input) -> Result<(), DrawError> {
+    if all.len() < needed {
+        return Err(DrawError::TooFewPoints { input, found: all.len(), needed });
     }
-    corners.iter().enumerate().try_for_each(|(index, &at)| point(at, input, index))
+    all.iter().enumerate().try_for_each(|(index, &at)| point(at, input, index))
 }
 
 fn point(at: [f64; 2], input: Input, index: usize) -> Result<(), DrawError> {

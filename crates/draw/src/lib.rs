@@ -5,6 +5,7 @@
 //! | a planar part with its fingers, center of compliance and numbers | [`GraspPicture`] |
 //! | the cross-section of one contact, to scale | [`ContactPicture`] |
 //! | the energy ellipsoids of a planar grasp in two frames | [`EnergyEllipsoids`] |
+//! | how numbers change along one variable | [`Chart`] |
 //!
 //! All give a [`Figure`].
 //!
@@ -13,8 +14,8 @@
 //! program found. Pictures are SVG text; with the feature `png` also PNG files, whose letters
 //! come from a bundled font. The same input gives the same bytes.
 //!
-//! It is not a plotting library: there are no charts, and a scene of solids other than the two
-//! ellipsoids is better served by a renderer.
+//! It is not a plotting library: a chart shows a few curves in one field, and a scene of solids
+//! other than the two ellipsoids is better served by a renderer.
 //!
 //! LBR is Lin, Burdick, Rimon, "A Quality Measure for Compliant Grasps".
 //!
@@ -61,8 +62,12 @@ mod energy_drawing;
 mod energy_scene;
 mod energy_surroundings;
 mod solid_pieces;
-mod ticks;
 mod view;
+
+mod chart;
+mod chart_axis;
+
+mod chart_drawing;
 
 mod figure;
 #[cfg(feature = "png")]
@@ -72,18 +77,21 @@ mod arc;
 mod page_box;
 mod paint;
 mod text;
+mod ticks;
 
 mod error;
 mod number;
 mod world_map;
 
+pub use chart::{Band, Chart, ChartMark, Curve, LineStyle, Veil};
+pub use chart_axis::{ChartAxis, Tick};
 pub use contact_picture::ContactPicture;
 pub use energy_ellipsoids::EnergyEllipsoids;
 pub use energy_surface::EnergySpace;
 pub use error::{DrawError, Input};
 pub use figure::Figure;
 pub use finger::Finger;
-pub use grasp_picture::{GraspPicture, Mark, Region};
+pub use grasp_picture::{GraspPicture, Mark, Region, Way};
 pub use paint::Color;
 #[cfg(feature = "png")]
 pub use png::RASTER_LIMIT;

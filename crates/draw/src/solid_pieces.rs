@@ -131,13 +131,18 @@ mod tests {
     const ROUNDING: f64 = 4096.0 * f64::EPSILON;
 
     /// One energy in two frames: the second is sheared by what a shift of the origin does.
+    ///
+    /// About the first, the form is `2 x^2 + 3 y^2 + 4 z^2 = 2` in both spaces.
     fn pair(space: EnergySpace) -> [EnergySurface; 2] {
-        let (upright, slanted) = match space {
-            Twist => ([2.0, 3.0, 4.0], [[2.0, 0.0, 1.0], [0.0, 3.0, -1.5], [1.0, -1.5, 5.25]]),
-            Wrench => ([2.0, 3.0, 4.0], [[3.0, -2.0, 2.0], [-2.0, 7.0, -4.0], [2.0, -4.0, 4.0]]),
+        let (y, z) = ((2.0_f64 / 3.0).sqrt(), 0.5_f64.sqrt());
+        let upright = [[1.0, 0.0, 0.0], [0.0, y, 0.0], [0.0, 0.0, z]];
+        let slanted = match space {
+            Twist => [[1.0, 0.0, 0.0], [0.0, y, 0.0], [-0.5 * z, 0.5 * z, z]],
+            Wrench => [[1.0, 0.0, -0.5], [0.0, y, y], [0.0, 0.0, z]],
         };
-        let diagonal = [0, 1, 2].map(|i| [0, 1, 2].map(|j| if i == j { upright[i] } else { 0.0 }));
-        [diagonal, slanted].map(|m| EnergySurface::new(m, space, Input::Upright).expect("definite"))
+        [upright, slanted].map(|points| {
+            EnergySurface::new(points, space, Input::Upright).expect("three points of an ellipsoid")
+        })
     }
 
     #[test]

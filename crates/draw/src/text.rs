@@ -26,6 +26,8 @@ pub(crate) enum Anchor {
     /// The middle.
     #[default]
     Middle,
+    /// The right end.
+    End,
 }
 
 /// One line of text.
@@ -93,6 +95,7 @@ impl Text {
         match self.anchor {
             Anchor::Start => {}
             Anchor::Middle => svg.push_str(" text-anchor=\"middle\""),
+            Anchor::End => svg.push_str(" text-anchor=\"end\""),
         }
         self.color.write(svg, "fill");
         if self.halo {

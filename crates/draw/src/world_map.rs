@@ -1,6 +1,7 @@
 //! From world coordinates, y up, to the page, y down, with equal aspect.
 
 use crate::error::{DrawError, Input};
+use crate::page_box::PageBox;
 
 /// No page coordinate may be larger: renderers count in f32, and nothing so far off is seen.
 const PAGE_LIMIT: f64 = 1e6;
@@ -21,9 +22,12 @@ pub(crate) struct WorldMap {
 }
 
 impl WorldMap {
-    /// Fits the finite box between two corners into a page of this size, whose corner is (0, 0).
-    pub(crate) fn fit(bounds: [[f64; 2]; 2], size: [f64; 2]) -> Result<Self, DrawError> {
-        let mut scale = f64::INFINITY;
+    /// Page units, y up.
+    pub(crate) const PAGE: Self = Self { scale: 1.0, world: [0.0; 2], page: [0.0; 2] };
+
+    /// Fits the finite box between two corners into a page rectangle.
+    pub(crate) fn fit(bounds: [[f64; 2]; 2], frame: PageBox) -> Result<Self, DrawError> {
+        let (size, mut scale) = (frame.size(), f64::INFINITY);
         for i in 0..2 {
             let span = (bounds[1][i] - bounds[0][i]).abs();
             finite(span, Input::Extent, i)?;
@@ -37,7 +41,7 @@ impl WorldMap {
             // Also where the span is so small that the scale overflows.
             scale: if scale.is_finite() { scale } else { 1.0 },
             world: [0, 1].map(|i| f64::midpoint(bounds[0][i], bounds[1][i])),
-            page: size.map(|side| side / 2.0),
+            page: [0, 1].map(|i| f64::midpoint(frame.min[i], frame.max[i])),
         })
     }
 
@@ -108,7 +112,8 @@ mod tests {
             [[0.0, 0.0], [1e300, 1e300]],
         ];
         for bounds in boxes {
-            let map = WorldMap::fit(bounds, [100.0, 100.0]).expect("finite bounds");
+            let frame = PageBox { min: [0.0, 0.0], max: [100.0, 100.0] };
+            let map = WorldMap::fit(bounds, frame).expect("finite bounds");
             let [x, y] = map.to_page(bounds[1]);
             assert!((-1.0..=101.0).contains(&x) && (-1.0..=101.0).contains(&y), "{bounds:?}");
         }

@@ -1,8 +1,7 @@
 //! Figures 1 to 5.
 
-use clench::contact::Order;
 use clench::optimize::Solution;
-use clench::screw::{Cholesky, Mat, Vector};
+use clench::screw::Vector;
 use clench::shape::Edge;
 use clench_draw::{
     Color, DrawError, EnergyEllipsoids, EnergySpace, Figure, Finger, GraspPicture, Mark, Region,
@@ -15,6 +14,9 @@ const STRIP_LENGTH: f64 = 14.0;
 
 /// A point inside the region S of Figure 3, for its name.
 const IN_S: [f64; 2] = [4.6, 4.2];
+
+/// The names of the corners.
+pub(super) const CORNERS: [&str; 4] = ["A", "B", "C", "D"];
 
 /// The figures with their file names.
 pub(crate) fn all(paper: &Paper) -> Result<Vec<(&'static str, Figure)>, DrawError> {
@@ -30,29 +32,34 @@ pub(crate) fn all(paper: &Paper) -> Result<Vec<(&'static str, Figure)>, DrawErro
 }
 
 fn energy(paper: &Paper, space: EnergySpace) -> Result<Figure, DrawError> {
-    let form = |origin: Vector<2>| {
-        let k = paper.figure_1.stiffness(origin, Order::First);
-        let k = Mat::<3, 3>::from_fn(|i, j| k.entry(i, j));
-        let form = match space {
-            EnergySpace::Twist => k,
-            EnergySpace::Wrench => Cholesky::new(&k).map_or(k, |factors| factors.inverse()),
-        };
-        *form.rows()
+    let axes = [([1.0, 0.0], [0.0]), ([0.0, 1.0], [0.0]), ([0.0, 0.0], [1.0])];
+    let points = |origin: Vector<2>| {
+        let principal = paper.figure_1.about(origin);
+        axes.map(|(along, about)| match space {
+            EnergySpace::Twist => {
+                let q = principal.displacement_of_unit_energy(along.into(), about.into());
+                [q.linear[0], q.linear[1], q.angular[0]]
+            }
+            EnergySpace::Wrench => {
+                let w = principal.wrench_of_unit_energy(along.into(), about.into());
+                [w.force[0], w.force[1], w.torque[0]]
+            }
+        })
     };
-    let (center, origin) = (paper.figure_1_principal.center(), Vector::ZERO);
-    EnergyEllipsoids::new(space, form(center), form(origin)).figure()
+    let (center, origin) = (paper.figure_1.center(), Vector::ZERO);
+    EnergyEllipsoids::new(space, points(center), points(origin)).figure()
 }
 
 /// The outline with its corners named.
-fn outline(paper: &Paper) -> GraspPicture {
+pub(super) fn outline(paper: &Paper) -> GraspPicture {
     GraspPicture {
         outline: paper.part.outline().corners().iter().map(|c| c.to_array()).collect(),
-        corner_labels: ["A", "B", "C", "D"].map(String::from).to_vec(),
+        corner_labels: CORNERS.map(String::from).to_vec(),
         ..GraspPicture::default()
     }
 }
 
-fn fingers(solution: &Solution) -> Vec<Finger> {
+pub(super) fn fingers(solution: &Solution) -> Vec<Finger> {
     let finger = |(i, p): (usize, &clench::optimize::Placement)| Finger {
         point: p.point.to_array(),
         inward_normal: p.inward_normal.to_array(),
@@ -96,16 +103,16 @@ fn grasp(
     per_preload: &str,
 ) -> Result<Figure, DrawError> {
     let q = &solution.quality;
-    let farthest = paper.part.outline().corners()[q.reach.corner];
+    let rotation = q.softest_rotation();
     GraspPicture {
         title: Some(title.into()),
         fingers: fingers(solution),
         center: Some(Mark { point: solution.center().to_array(), label: String::new() }),
-        farthest_corner: Some(farthest.to_array()),
+        farthest_corner: Some(rotation.farthest.point.to_array()),
         caption: vec![
             format!("σ_{{min}} = {:.4}", q.translational),
-            format!("ρ_{{max}} = {:.4}", q.reach.distance),
-            format!("μ_{{eq}}{per_preload} = {:.4}", q.equivalent),
+            format!("ρ_{{max}} = {:.4}", rotation.reach()),
+            format!("μ_{{eq}}{per_preload} = {:.4}", rotation.value),
         ],
         ..outline(paper)
     }

@@ -6,7 +6,8 @@ use clench::optimize::polygon::{
     FourFingers, Part, ThreeFingers, four_fingers, three_fingers, three_fingers_on,
 };
 use clench::optimize::{OptimizeError, Outcome, Solution};
-use clench::shape::{Polygon, PolygonError};
+use clench::screw::Vector;
+use clench::shape::{Edge, Polygon, PolygonError};
 use clench::stiffness::{Grasp, GraspError};
 
 /// The quadrilateral ABCD of Examples 5.1 and 5.2.
@@ -47,9 +48,8 @@ pub(crate) enum PaperError {
 pub(crate) struct Paper {
     /// The quadrilateral with stiffness 1 on each edge.
     pub(crate) part: Part,
-    /// The grasp of Figures 1 and 2.
-    pub(crate) figure_1: Grasp<2, 1>,
-    pub(crate) figure_1_principal: Principal<2, 1>,
+    /// Of the grasp of Figures 1 and 2.
+    pub(crate) figure_1: Principal<2, 1>,
     /// Grasps I and II of Example 5.1, for a total preload of 1.
     pub(crate) triplets: [Solution; 2],
     /// The best of all triplets.
@@ -61,16 +61,12 @@ pub(crate) struct Paper {
 impl Paper {
     pub(crate) fn compute() -> Result<Self, PaperError> {
         let part = Part::uniform(Polygon::new(&QUADRILATERAL)?, 1.0)?;
-        let figure_1 = figure_1(part.outline())?;
-        let about = |origin| figure_1.stiffness(origin, Order::First);
-        let figure_1_principal = Principal::near(figure_1.centroid(), about)?;
         let options = ThreeFingers::with_preload(1.0);
         let on = |edges| -> Result<Solution, PaperError> {
             three_fingers_on(&part, edges, &options)?.ok_or(PaperError::Triplet { edges })
         };
         Ok(Self {
-            figure_1_principal,
-            figure_1,
+            figure_1: figure_1(part.outline())?,
             triplets: [on(TRIPLETS[0])?, on(TRIPLETS[1])?],
             three: three_fingers(&part, &options, |_| {})?,
             four: four_fingers(&part, &FourFingers::default(), |_| {})?,
@@ -79,17 +75,21 @@ impl Paper {
     }
 }
 
-/// Fingers at A and B on AB, at C on BC and at D on DA, `k = 1`, to first order.
-fn figure_1(outline: &Polygon) -> Result<Grasp<2, 1>, PaperError> {
-    let law = Law::linear(1.0)?;
-    let ends = [(0, 0.0), (0, 13.0), (1, outline.edges()[1].length()), (3, 0.0)];
-    let contacts = ends.map(|(edge, along)| {
-        let edge = &outline.edges()[edge];
-        Contact::new(
-            Geometry::on_face(edge.point_at(along), edge.inward_normal(), 0.0),
-            law.clone(),
-            0.0,
-        )
-    });
-    Ok(Grasp::new(contacts.into_iter().collect::<Result<_, _>>()?)?)
+/// Fingers at A and B on AB, at C on BC and at D on DA.
+fn figure_1(outline: &Polygon) -> Result<Principal<2, 1>, PaperError> {
+    let edges = outline.edges();
+    let ends = [(0, 0.0), (0, edges[0].length()), (1, edges[1].length()), (3, 0.0)];
+    let fingers = ends.map(|(edge, along)| finger(edges[edge].point_at(along), &edges[edge]));
+    principal(&Grasp::new(fingers.into_iter().collect::<Result<_, _>>()?)?)
+}
+
+/// A pointed finger with `k = 1` and no preload, at a point of an edge.
+pub(super) fn finger(point: Vector<2>, edge: &Edge) -> Result<Contact<2, 1>, ContactError> {
+    Contact::new(Geometry::on_face(point, edge.inward_normal(), 0.0), Law::linear(1.0)?, 0.0)
+}
+
+/// The principal parameters to first order.
+pub(super) fn principal(grasp: &Grasp<2, 1>) -> Result<Principal<2, 1>, PaperError> {
+    let about = |origin| grasp.stiffness(origin, Order::First);
+    Ok(Principal::near(grasp.centroid(), about)?)
 }

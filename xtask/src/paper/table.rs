@@ -56,7 +56,7 @@ impl Row {
 /// Every number that the paper prints for its quadrilateral.
 pub(crate) fn rows(paper: &Paper) -> Vec<Row> {
     let circle = paper.part.outline().enclosing_circle();
-    let center = paper.figure_1_principal.center();
+    let center = paper.figure_1.center();
     let [one, two] = &paper.triplets;
     let best = &paper.four.best;
     let limit = match best.quality.limited_by {
@@ -70,12 +70,12 @@ pub(crate) fn rows(paper: &Paper) -> Vec<Row> {
         Row::number("Example 5.1", "geometric center, x", "6.5", circle.center[0]),
         Row::number("Example 5.1", "geometric center, y", "1.75", circle.center[1]),
         Row::number("Example 5.1, I", "sigma_min", "0.8609", one.quality.translational),
-        Row::number("Example 5.1, I", "Q / f_T", "0.081", one.quality.equivalent),
+        Row::number("Example 5.1, I", "Q / f_T", "0.081", one.quality.equivalent()),
         Row::number("Example 5.1, II", "sigma_min", "1.2764", two.quality.translational),
-        Row::number("Example 5.1, II", "Q / f_T", "0.0955", two.quality.equivalent),
+        Row::number("Example 5.1, II", "Q / f_T", "0.0955", two.quality.equivalent()),
         Row::words("Example 5.1", "best triplet", "AB, BC, DA", names(&paper.three.best)),
         Row::number("Example 5.2", "Q = sigma_min", "1.684", best.quality.value),
-        Row::number("Example 5.2", "mu_eq", "1.865", best.quality.equivalent),
+        Row::number("Example 5.2", "mu_eq", "1.865", best.quality.equivalent()),
         Row::words("Example 5.2", "the smaller of the two", "sigma_min", limit.to_owned()),
     ]
 }

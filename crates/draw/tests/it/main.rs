@@ -1,6 +1,7 @@
 //! Pictures as a caller sees them.
 #![cfg(test)]
 
+mod chart;
 mod contact;
 mod limits;
 mod paper;

@@ -1,7 +1,6 @@
 //! The grasp of the paper's Figures 1 and 2.
 
-use clench_draw::{Color, EnergyEllipsoids, EnergySpace, Finger, GraspPicture, Mark, Region};
-use clench_screw::Cholesky;
+use clench_draw::{Color, EnergyEllipsoids, EnergySpace, Finger, GraspPicture, Mark, Region, Way};
 
 pub(crate) const OUTLINE: [[f64; 2]; 4] = [[0.0, 0.0], [13.0, 0.0], [9.0, 8.0], [2.0, 6.0]];
 pub(crate) const CENTER: [f64; 2] = [80.0 / 13.0, 72.0 / 13.0];
@@ -17,30 +16,33 @@ pub(crate) fn contacts() -> [([f64; 2], [f64; 2]); 4] {
     ]
 }
 
-/// The first-order stiffness of unit springs about an origin.
-pub(crate) fn stiffness(origin: [f64; 2]) -> [[f64; 3]; 3] {
-    let mut sum = [[0.0; 3]; 3];
-    for (point, [x, y]) in contacts() {
-        let row = [x, y, (point[0] - origin[0]) * y - (point[1] - origin[1]) * x];
-        for i in 0..3 {
-            for j in 0..3 {
-                sum[i][j] += row[i] * row[j];
-            }
+/// Three points of the ellipsoid that the first-order stiffness of unit springs has about an
+/// origin.
+///
+/// By hand: K11 is `[[1.7, 0.1], [0.1, 2.3]]`, twice the identity and a tenth of
+/// `[[-3, 1], [1, 3]]`, whose eigenvectors are `(1, 3 +- sqrt(10))`; and `mu = 5614 / 65`.
+pub(crate) fn points(space: EnergySpace, origin: [f64; 2]) -> [[f64; 3]; 3] {
+    let (root, mu) = (10.0_f64.sqrt(), 5614.0_f64 / 65.0);
+    let length = 1.0_f64.hypot(3.0 + root);
+    let (x, y) = (1.0 / length, (3.0 + root) / length);
+    let axes = [(2.0 - root / 10.0, [-y, x]), (2.0 + root / 10.0, [x, y])];
+    // The velocity of the origin when the part turns about the center.
+    let [u, v] = [CENTER[1] - origin[1], origin[0] - CENTER[0]];
+    match space {
+        EnergySpace::Twist => {
+            let [a, b] = axes.map(|(sigma, axis)| axis.map(|e| (2.0 / sigma).sqrt() * e));
+            [[a[0], a[1], 0.0], [b[0], b[1], 0.0], [u, v, 1.0].map(|e| (2.0 / mu).sqrt() * e)]
+        }
+        EnergySpace::Wrench => {
+            let over = |[x, y]: [f64; 2]| [x, y, -u * x - v * y];
+            let [a, b] = axes.map(|(sigma, axis)| over(axis.map(|e| (2.0 * sigma).sqrt() * e)));
+            [a, b, [0.0, 0.0, (2.0 * mu).sqrt()]]
         }
     }
-    sum
-}
-
-fn inverse(matrix: [[f64; 3]; 3]) -> [[f64; 3]; 3] {
-    *Cholesky::new(&matrix.into()).expect("four springs hold the part").inverse().rows()
 }
 
 pub(crate) fn ellipsoids(space: EnergySpace) -> EnergyEllipsoids {
-    let (upright, slanted) = (stiffness(CENTER), stiffness([0.0, 0.0]));
-    match space {
-        EnergySpace::Twist => EnergyEllipsoids::new(space, upright, slanted),
-        EnergySpace::Wrench => EnergyEllipsoids::new(space, inverse(upright), inverse(slanted)),
-    }
+    EnergyEllipsoids::new(space, points(space, CENTER), points(space, [0.0, 0.0]))
 }
 
 /// The grasp with every field of a picture in use, in a unit of this length.
@@ -66,6 +68,10 @@ pub(crate) fn grasp(unit: f64) -> GraspPicture {
         regions: vec![Region {
             corners: [[3.0, 1.0], [5.0, 1.0], [4.0, 4.0]].map(scaled).to_vec(),
             color: Color::GREEN,
+        }],
+        ways: vec![Way {
+            points: [[2.0, 1.0], [8.0, 1.5], [8.0, 3.0]].map(scaled).to_vec(),
+            color: Color::ORANGE,
         }],
         notes: vec![Mark { point: scaled([10.0, 1.0]), label: "note".into() }],
         caption: vec!["σ_{min} = 1.684".into(), "Q = 1.114".into()],

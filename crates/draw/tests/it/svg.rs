@@ -2,6 +2,7 @@
 
 use clench_draw::{DrawError, EnergySpace, Figure, Finger, GraspPicture};
 
+use crate::chart::chart;
 use crate::contact::contacts;
 use crate::paper::{ellipsoids, grasp};
 
@@ -55,6 +56,7 @@ fn all_pictures() -> Result<Vec<Figure>, DrawError> {
     for picture in contacts() {
         figures.push(picture.figure()?);
     }
+    figures.push(chart([1.0, 1.0])?.figure());
     Ok(figures)
 }
 
