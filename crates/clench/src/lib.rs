@@ -24,12 +24,13 @@
 //! for (edge, along) in [(0, 0.0), (0, 13.0), (1, 80.0_f64.sqrt()), (3, 0.0)] {
 //!     let edge = &outline.edges()[edge];
 //!     let (point, normal) = (edge.point_at(along), edge.inward_normal());
-//!     contacts.push(Contact::new(Geometry::on_face(point, normal, 0.0), Law::linear(1.0)?, 0.0)?);
+//!     let place = Geometry::on_face(point, normal, 0.0);
+//!     contacts.push(Contact::<2, 1>::new(place, Law::linear(1.0)?, 0.0)?);
 //! }
 //! let grasp = Grasp::new(contacts)?;
 //! let principal =
 //!     Principal::near(grasp.centroid(), |origin| grasp.stiffness(origin, Order::First))?;
-//! let quality = Quality::of(&principal, &outline);
+//! let quality = Quality::of(&principal, &outline)?;
 //!
 //! let center = principal.center();
 //! assert!((center[0] - 80.0 / 13.0).abs() < 1e-14 && (center[1] - 72.0 / 13.0).abs() < 1e-14);
@@ -39,7 +40,8 @@
 //! ```
 //!
 //! The guide is in `docs/guide` of the repository: *From material and geometry to stiffness* goes
-//! from elastic constants to the stability of a pinched bar.
+//! from elastic constants to the stability of a pinched bar; *What does not depend on the frame*
+//! from a stiffness to the measures of how well it holds.
 
 pub use clench_contact as contact;
 pub use clench_metrics as metrics;
@@ -56,4 +58,7 @@ mod documents {
 
     #[doc = include_str!("../../../docs/guide/stiffness.md")]
     struct Stiffness;
+
+    #[doc = include_str!("../../../docs/guide/measures.md")]
+    struct Measures;
 }
