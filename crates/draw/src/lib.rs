@@ -41,39 +41,21 @@
 //! # Ok::<(), clench_draw::DrawError>(())
 //! ```
 
-mod finger;
-mod grasp_picture;
+mod grasp;
 
-mod caption;
-mod grasp_drawing;
-mod grasp_labels;
-mod labels;
+mod contact;
 
-mod contact_picture;
-
-mod contact_drawing;
-mod contact_labels;
-mod contact_layout;
-
-mod energy_ellipsoids;
-mod energy_surface;
-
-mod energy_drawing;
-mod energy_scene;
-mod energy_surroundings;
-mod solid_pieces;
-mod view;
+mod energy;
 
 mod chart;
-mod chart_axis;
-
-mod chart_drawing;
 
 mod figure;
 #[cfg(feature = "png")]
 mod png;
 
 mod arc;
+mod caption;
+mod labels;
 mod page_box;
 mod paint;
 mod text;
@@ -83,15 +65,12 @@ mod error;
 mod number;
 mod world_map;
 
-pub use chart::{Band, Chart, ChartMark, Curve, LineStyle, Veil};
-pub use chart_axis::{ChartAxis, Tick};
-pub use contact_picture::ContactPicture;
-pub use energy_ellipsoids::EnergyEllipsoids;
-pub use energy_surface::EnergySpace;
+pub use chart::{Band, Chart, ChartAxis, ChartMark, Curve, LineStyle, Tick, Veil};
+pub use contact::ContactPicture;
+pub use energy::{EnergyEllipsoids, EnergySpace};
 pub use error::{DrawError, Input};
 pub use figure::Figure;
-pub use finger::Finger;
-pub use grasp_picture::{GraspPicture, Mark, Region, Way};
+pub use grasp::{Finger, GraspPicture, Mark, Region, Way};
 pub use paint::Color;
 #[cfg(feature = "png")]
 pub use png::RASTER_LIMIT;

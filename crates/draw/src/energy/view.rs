@@ -4,7 +4,7 @@ use clench_screw::Vector;
 use clench_screw::spatial::cross;
 
 use crate::arc::EllipseArc;
-use crate::energy_surface::{EnergySurface, SpaceEllipse};
+use crate::energy::surface::{EnergySurface, SpaceEllipse};
 
 /// How far off the unit sphere the image of a point of the surface may be by rounding: some 2^5
 /// operations, each wrong by the condition of the map, which is below 2^17 for any ellipsoid

@@ -5,12 +5,12 @@ use std::f64::consts::{PI, TAU};
 use clench_screw::Vector;
 
 use crate::arc::EllipseArc;
-use crate::energy_surface::{EnergySpace, EnergySurface, SpaceEllipse};
+use crate::energy::pieces::{meeting_planes, pieces, section};
+use crate::energy::surface::{EnergySpace, EnergySurface, SpaceEllipse};
+use crate::energy::view::{View, hides, runs};
 use crate::figure::Figure;
 use crate::paint::{Color, Paint, Stroke};
-use crate::solid_pieces::{meeting_planes, pieces, section};
 use crate::text::{LABEL_SIZE, Text};
-use crate::view::{View, hides, runs};
 
 /// The length of the horizontal axes against the floor's half-width, and how far the vertical
 /// one rises above the ceiling.

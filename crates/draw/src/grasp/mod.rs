@@ -1,10 +1,16 @@
 //! A planar part with the fingers that hold it.
 
+mod drawing;
+mod finger;
+mod labels;
+
 use crate::error::{DrawError, Input};
 use crate::figure::Figure;
-use crate::finger::Finger;
+use crate::page_box::PageBox;
 use crate::paint::Color;
 use crate::world_map::{WorldMap, finite};
+
+pub use finger::Finger;
 
 /// A named point.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -88,7 +94,12 @@ impl GraspPicture {
     /// [`DrawError::NormalNotUnit`] or [`DrawError::ReachWithoutCenter`] for what the fields
     /// hold, [`DrawError::OffPage`] for marks absurdly far from the part.
     pub fn figure(&self) -> Result<Figure, DrawError> {
-        crate::grasp_drawing::draw(self, crate::grasp_drawing::PLOT)
+        drawing::draw(self, drawing::PLOT)
+    }
+
+    /// Draws the picture into a part of a page.
+    pub(crate) fn figure_in(&self, plot: PageBox) -> Result<Figure, DrawError> {
+        drawing::draw(self, plot)
     }
 
     /// The corners of the box around the outline and everything that touches it.

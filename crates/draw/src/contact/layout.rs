@@ -3,7 +3,7 @@
 use std::f64::consts::{FRAC_PI_2, PI};
 
 use crate::arc::{EllipseArc, Piece};
-use crate::contact_picture::ContactPicture;
+use crate::contact::ContactPicture;
 use crate::error::DrawError;
 
 /// The radius of a finger that is shown whole, and the least overlap for which it is.

@@ -5,7 +5,7 @@ use std::f64::consts::TAU;
 use clench_screw::{Cholesky, Frame, Stiffness};
 
 use super::*;
-use crate::energy_ellipsoids::EnergyEllipsoids;
+use crate::energy::EnergyEllipsoids;
 
 const CENTER: [f64; 2] = [80.0 / 13.0, 72.0 / 13.0];
 

@@ -9,8 +9,8 @@ use std::f64::consts::TAU;
 use clench_screw::Vector;
 use clench_screw::spatial::cross;
 
-use crate::energy_surface::{EnergySpace, EnergySurface, SpaceEllipse};
-use crate::view::{ON_SURFACE, View};
+use crate::energy::surface::{EnergySpace, EnergySurface, SpaceEllipse};
+use crate::energy::view::{ON_SURFACE, View};
 
 /// Points on each curve that bounds a piece.
 const SAMPLES: u32 = 240;
@@ -124,7 +124,7 @@ fn turns_left(ring: &[[f64; 2]], c: [f64; 2]) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::energy_surface::EnergySpace::{Twist, Wrench};
+    use crate::energy::surface::EnergySpace::{Twist, Wrench};
     use crate::error::Input;
 
     /// Hundreds of operations on numbers from 0.1 to 10, some of which cancel a digit or two.

@@ -4,8 +4,8 @@ use std::f64::consts::PI;
 
 use clench_screw::Vector;
 
-use crate::energy_scene::Scene;
-use crate::energy_surface::{EnergySpace, SpaceEllipse};
+use crate::energy::scene::Scene;
+use crate::energy::surface::{EnergySpace, SpaceEllipse};
 use crate::number::readable;
 use crate::paint::{Color, Paint, Stroke};
 use crate::text::{Anchor, SMALL_SIZE, Text};

@@ -1,6 +1,10 @@
 //! The cross-section of one contact.
 
-use crate::contact_layout::Layout;
+mod drawing;
+mod labels;
+mod layout;
+
+use crate::contact::layout::Layout;
 use crate::error::{DrawError, Input};
 use crate::figure::Figure;
 use crate::world_map::finite;
@@ -66,7 +70,7 @@ impl ContactPicture {
     /// - [`DrawError::ContactBeyondLens`] for an area of contact wider than the overlap.
     pub fn figure(&self) -> Result<Figure, DrawError> {
         self.check()?;
-        crate::contact_drawing::draw(&Layout::new(self)?, &self.caption)
+        drawing::draw(&Layout::new(self)?, &self.caption)
     }
 
     fn check(&self) -> Result<(), DrawError> {

@@ -1,7 +1,7 @@
 //! The names in the picture of a contact.
 
-use crate::contact_drawing::Drawing;
-use crate::contact_layout::Layout;
+use crate::contact::drawing::Drawing;
+use crate::contact::layout::Layout;
 use crate::labels::Spot;
 use crate::page_box::PageBox;
 use crate::paint::Color;

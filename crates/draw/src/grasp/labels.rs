@@ -1,7 +1,7 @@
 //! The texts of a grasp picture.
 
-use crate::grasp_drawing::{Drawing, PAD, WEDGE};
-use crate::grasp_picture::Mark;
+use crate::grasp::Mark;
+use crate::grasp::drawing::{Drawing, PAD, WEDGE};
 use crate::labels::Spot;
 use crate::paint::Color;
 use crate::text::{Anchor, LABEL_SIZE, TITLE_SIZE, Text};

@@ -2,7 +2,7 @@
 
 use crate::arc::Piece;
 use crate::caption;
-use crate::contact_layout::{Boundary, End, Layout};
+use crate::contact::layout::{Boundary, End, Layout};
 use crate::error::DrawError;
 use crate::figure::Figure;
 use crate::labels::{Labels, Weight};

@@ -1,10 +1,14 @@
 //! Curves over one variable.
 
-use crate::chart_axis::ChartAxis;
+mod axis;
+mod drawing;
+
 use crate::error::{DrawError, Input};
 use crate::figure::Figure;
-use crate::grasp_picture::GraspPicture;
+use crate::grasp::GraspPicture;
 use crate::paint::Color;
+
+pub use axis::{ChartAxis, Tick};
 
 /// How a curve is drawn.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -182,14 +186,14 @@ impl Chart {
     /// # Errors
     /// Those of [`GraspPicture::figure`].
     pub fn with_part(self, picture: &GraspPicture) -> Result<Self, DrawError> {
-        let part = Some(crate::chart_drawing::part(picture)?);
+        let part = Some(crate::chart::drawing::part(picture)?);
         Ok(Self { part, ..self })
     }
 
     /// Draws the chart.
     #[must_use]
     pub fn figure(&self) -> Figure {
-        crate::chart_drawing::draw(self)
+        drawing::draw(self)
     }
 
     fn check(&self, point: [f64; 2], input: Input, index: usize) -> Result<(), DrawError> {

@@ -3,8 +3,7 @@
 use crate::chart::{Chart, ChartMark, LineStyle};
 use crate::error::DrawError;
 use crate::figure::Figure;
-use crate::grasp_drawing;
-use crate::grasp_picture::GraspPicture;
+use crate::grasp::GraspPicture;
 use crate::labels::{Labels, Spot, Weight};
 use crate::page_box::PageBox;
 use crate::paint::{Color, Paint, Stroke};
@@ -50,8 +49,8 @@ pub(crate) fn draw(chart: &Chart) -> Figure {
 /// The part at the top of the column: drawn once to see how far its fingers and names reach.
 pub(crate) fn part(picture: &GraspPicture) -> Result<Figure, DrawError> {
     let frame = |min: [f64; 2]| PageBox { min, max: [min[0] + PART[0], min[1] + PART[1]] };
-    let ink = grasp_drawing::draw(picture, frame([0.0, 0.0]))?.ink();
-    grasp_drawing::draw(picture, frame([COLUMN - ink.min[0], -FIELD[1] - ink.min[1]]))
+    let ink = picture.figure_in(frame([0.0, 0.0]))?.ink();
+    picture.figure_in(frame([COLUMN - ink.min[0], -FIELD[1] - ink.min[1]]))
 }
 
 /// A chart in the making.

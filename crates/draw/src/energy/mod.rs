@@ -1,9 +1,18 @@
 //! The energy ellipsoids of one planar grasp in two frames.
 
-use crate::energy_surface::{EnergySpace, EnergySurface};
+mod drawing;
+mod pieces;
+mod scene;
+mod surface;
+mod surroundings;
+mod view;
+
 use crate::error::{DrawError, Input};
 use crate::figure::Figure;
 use crate::world_map::UNSEEN;
+
+pub use surface::EnergySpace;
+use surface::EnergySurface;
 
 /// The paper's Figures 1 and 2: the surface of unit energy of one grasp, once in the frame at the
 /// center of compliance and once in another, shifted one.
@@ -64,7 +73,7 @@ impl EnergyEllipsoids {
     /// [`DrawError::NotSemiAxes`] for either ellipsoid; [`DrawError::NotUpright`] if the first
     /// leans; [`DrawError::DifferentGrasps`] if the two are not one energy.
     pub fn figure(&self) -> Result<Figure, DrawError> {
-        crate::energy_drawing::draw(self)
+        drawing::draw(self)
     }
 
     /// The two surfaces, upright first.
