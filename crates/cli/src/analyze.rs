@@ -1,18 +1,20 @@
 //! `clench analyze`: what a given grasp is worth.
 
-use clench::contact::{Contact, Order};
-use clench::metrics::{MetricsError, Principal};
+use clench::contact::Order;
 use clench::screw::{Stiffness, Vector};
+use clench::shape::Extent;
 use clench::stiffness::{Equilibrium, Grasp, Preloads};
 use clench_draw::GraspPicture;
 
 use crate::answer::Answer;
 use crate::arguments::{AnalyzeArguments, Format, OrderArgument};
 use crate::failure::Failure;
-use crate::held::{Classes, Metrics, NotHeld, Slack, held};
-use crate::input::{self, Document, FileGrasp, Part, Piece, PlanarShape, schema};
+use crate::held::{Classes, NotHeld, Slack, held};
+use crate::input::{self, Document, FileGrasp, LoadFault, NamedPoint, Part, Piece, Place, schema};
+use crate::metrics::Metrics;
 use crate::picture;
-use crate::report::{self, AnalysisReport, AnalysisText, QualityReport};
+use crate::report::{self, AnalysisReport, AnalysisText};
+use crate::response::Response;
 use crate::view::View;
 
 /// All that is known of a grasp, in the frame of the file.
@@ -36,6 +38,9 @@ pub(crate) struct Analysis<'a, const N: usize, const M: usize> {
     pub(crate) slack: Option<Slack>,
     /// The numbers that a grasp has if it holds the part.
     pub(crate) metrics: Result<Metrics<N, M>, NotHeld>,
+    pub(crate) points: &'a [NamedPoint<N>],
+    /// To the load cases, in their order; none if the part is not held.
+    pub(crate) responses: Vec<Response<'a, N, M>>,
 }
 
 impl<const N: usize, const M: usize> Analysis<'_, N, M> {
@@ -65,23 +70,15 @@ pub(crate) fn analyze(arguments: &AnalyzeArguments) -> Result<Answer, Failure> {
         Part::Planar(body) => {
             let found = input::planar_grasp(&document, &file, &body)?;
             let view = View::planar(frame)?;
-            let quality = |principal: &Principal<2, 1>| match &body.shape {
-                PlanarShape::Outline(outline) => {
-                    QualityReport::of(principal, outline, &view).map(Some)
-                }
-                PlanarShape::Ellipse(_) => Ok(None),
-            };
-            let analysis = question.analysis(&found, view.clone(), quality)?;
+            let analysis = question.analysis(&found, body.shape.extent(), view)?;
             let picture = picture::of_analysis(&analysis, &body.shape);
-            question.answer(&analysis, Some(picture), |_| None)
+            question.answer(AnalysisReport::planar(&analysis), Some(picture))
         }
         Part::Spatial(body) => {
             let found = input::spatial_grasp(&document, &file, &body)?;
-            let analysis = question.analysis(&found, View::spatial(frame)?, |_| Ok(None))?;
-            question.answer(&analysis, None, |contact| {
-                let curvature = contact.overlap().geometry().relative_curvature().ok()?;
-                Some(curvature.along)
-            })
+            let view = View::spatial(frame)?;
+            let analysis = question.analysis(&found, body.shape.extent(), view)?;
+            question.answer(AnalysisReport::spatial(&analysis), None)
         }
     }
 }
@@ -90,8 +87,8 @@ impl<'a> Question<'a> {
     fn analysis<const N: usize, const M: usize>(
         &self,
         found: &'a FileGrasp<N, M>,
+        body: Extent<'_, N>,
         view: View<N, M>,
-        quality: impl FnOnce(&Principal<N, M>) -> Result<Option<QualityReport>, MetricsError>,
     ) -> Result<Analysis<'a, N, M>, Failure> {
         let grasp = &found.grasp;
         let equilibrium = grasp.equilibrium();
@@ -107,6 +104,12 @@ impl<'a> Question<'a> {
         let loads = grasp.loads().iter().any(|load| load.force.max_abs() > 0.0);
         let loaded = loads && equilibrium.holds;
         let classes = Classes::of(grasp);
+        let metrics = held(grasp, order, classes.to_order(order))
+            .and_then(|principal| Metrics::of(principal, body).map_err(NotHeld::One));
+        let responses = match &metrics {
+            Ok(metrics) => self.responses(found, metrics, body)?,
+            Err(_) => Vec::new(),
+        };
         Ok(Analysis {
             units: self.units,
             grasp,
@@ -120,20 +123,33 @@ impl<'a> Question<'a> {
             slack: Slack::of(grasp, &preloads, order, loaded),
             preloads,
             loaded,
-            metrics: held(grasp, order, classes.to_order(order)).and_then(|principal| {
-                let quality = quality(&principal).map_err(NotHeld::One)?;
-                Ok(Metrics { principal, quality })
-            }),
+            metrics,
+            points: &found.points,
+            responses,
         })
     }
 
-    fn answer<const N: usize, const M: usize>(
+    fn responses<const N: usize, const M: usize>(
         &self,
-        analysis: &Analysis<'_, N, M>,
+        found: &'a FileGrasp<N, M>,
+        metrics: &Metrics<N, M>,
+        body: Extent<'_, N>,
+    ) -> Result<Vec<Response<'a, N, M>>, Failure> {
+        let response = |(number, case)| {
+            let response = Response::of(case, &found.grasp, &metrics.principal, body);
+            if response.is_finite(&found.points) {
+                return Ok(response);
+            }
+            Err(self.document.error(&Place::load_case(number), LoadFault::OutOfRange))
+        };
+        found.load_cases.iter().enumerate().map(response).collect()
+    }
+
+    fn answer(
+        &self,
+        report: AnalysisReport<'_>,
         picture: Option<GraspPicture>,
-        longest_along: impl Fn(&Contact<N, M>) -> Option<Vector<N>>,
     ) -> Result<Answer, Failure> {
-        let report = AnalysisReport::new(analysis, longest_along);
         let text = match self.arguments.output.format {
             Format::Text => {
                 AnalysisText { name: self.document.name(), report: &report }.to_string()

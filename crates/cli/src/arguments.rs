@@ -38,9 +38,20 @@ A grasp file has contacts besides:
   # law = { kind = "hertz", finger = "steel", part = "aluminum 6061", relative_radius = 0.5 }
   # law = { kind = "line", thickness = 5, reference_depth = 4, finger = "steel", part = "ptfe" }
 
-  [[loads]]                                  # such as the weight
+  [[loads]]                                  # at rest, such as the weight
   point = [6, 4]
   force = [0, -9.81]
+
+  [[points]]                                 # whose displacement is reported
+  name = "bore"
+  point = [6, 5]
+
+  [[load_cases]]                             # on top of that, such as the force of a tool
+  name = "milling"
+  force = [0.5, 0]
+  point = [9, 8]                             # the origin if left out
+  torque = 2                                 # in space [x, y, z]
+  tolerance = 0.05                           # largest displacement of any point of the part
 
 docs/files.md has all fields. Corners, vertices, edges, faces and contacts count from 0; edge e
 joins corner e to corner e + 1. A contact has to be on the boundary up to 1e-6 of the part's
@@ -72,7 +83,7 @@ pub(crate) struct Arguments {
 /// What to do.
 #[derive(Debug, Subcommand)]
 pub(crate) enum Command {
-    /// Report stiffness, stability, center of compliance and quality of a grasp.
+    /// Report stiffness, stability, quality and centers of a grasp, and what load cases do to it.
     #[command(after_long_help = FILE)]
     Analyze(AnalyzeArguments),
     /// Find the placement of fingers with the greatest quality, and prove that it is.

@@ -5,19 +5,9 @@ use clench::metrics::{MetricsError, Principal};
 use clench::screw::{Twist, Vector, spatial};
 use clench::stiffness::{Grasp, Preloads, Stability};
 
-use crate::report::QualityReport;
-
 /// A contact is pressed if the part moves towards it by more than this part of its speed: the
 /// direction of a motion that little resists is good to half of the digits.
 const PRESSES: f64 = 1.490_116_119_384_765_6e-8;
-
-/// The principal stiffnesses of a grasp that holds the part.
-#[derive(Clone, Debug)]
-pub(crate) struct Metrics<const N: usize, const M: usize> {
-    pub(crate) principal: Principal<N, M>,
-    /// Only an outline has one so far.
-    pub(crate) quality: Option<QualityReport>,
-}
 
 /// How a grasp is stable.
 #[derive(Clone, Copy, Debug)]

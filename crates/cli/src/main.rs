@@ -6,6 +6,8 @@ mod analyze;
 mod optimize;
 
 mod held;
+mod metrics;
+mod response;
 
 mod answer;
 mod failure;

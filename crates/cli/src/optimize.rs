@@ -20,9 +20,9 @@ use crate::report::{self, OptimumReport, OptimumText, Question, UnansweredReport
 pub(crate) struct Found<'a> {
     pub(crate) solution: &'a Solution,
     /// The worst point by the stiffness that was optimized.
-    pub(crate) worst: WorstPoint,
+    pub(crate) worst: WorstPoint<2>,
     /// The quality with all that preload and finger radius add; only with a preload.
-    pub(crate) second_order: Option<Result<Quality, MetricsError>>,
+    pub(crate) second_order: Option<Result<Quality<2, 1>, MetricsError>>,
 }
 
 /// Why a placement that was found has no numbers.
@@ -139,7 +139,8 @@ fn examine<'a>(
     let grasp = Grasp::new(contacts.collect::<Result<_, _>>()?)?;
     let worst = WorstPoint::of(&solution.principal, part.outline())?;
     let second_order = arguments.preload.map(|_| {
-        principal(&grasp, Order::Second).map(|principal| Quality::of(&principal, part.outline()))
+        principal(&grasp, Order::Second)
+            .and_then(|principal| Quality::of(&principal, part.outline()))
     });
     Ok(Found { solution, worst, second_order })
 }

@@ -2,11 +2,12 @@
 
 use clench::optimize::polygon::Part;
 use clench::screw::Vector;
-use clench::shape::{Ellipsoid, Polygon};
+use clench::shape::{Ellipsoid, Extreme, Polygon};
 use clench_draw::{Finger, GraspPicture, Mark};
 
 use crate::analyze::Analysis;
 use crate::input::{Piece, PlanarShape};
+use crate::metrics::Metrics;
 use crate::report::{LimitWord, OptimumReport, UnitNames, spot};
 
 /// Outlines with more corners, such as flattened arcs, are drawn without their numbers.
@@ -48,19 +49,21 @@ pub(crate) fn of_optimum(report: &OptimumReport<'_>, part: &Part) -> GraspPictur
         label: finger_name(i),
         preload: question.total_preload.map_or(String::new(), |_| units.force(contact.preload)),
     });
+    let reach = &best.reach;
     let numbers = Numbers {
         quality: best.quality,
         limited_by: best.limited_by,
         sigma_min: best.sigma_min,
         mu_eq: best.mu_eq,
         center: best.center_of_compliance,
-        reach: best.reach.distance,
-        corner: best.reach.corner,
+        farthest: Extreme {
+            point: Vector::from_fn(|i| reach.point[i]),
+            corner: reach.corner,
+            value: reach.distance,
+        },
         worst_point_stiffness: best.worst_point_stiffness,
     };
-    let corners = part.outline().corners();
     let mut picture = numbers.drawn_on(of_outline(part.outline()), units);
-    picture.farthest_corner = Some(corners[best.reach.corner].to_array());
     picture.fingers = fingers.collect();
     let contacts = best.contacts.iter().map(|contact| (Some(contact.edge), contact.point));
     picture.caption.push(String::new());
@@ -77,10 +80,6 @@ pub(crate) fn of_analysis(analysis: &Analysis<'_, 2, 1>, shape: &PlanarShape) ->
         PlanarShape::Ellipse(ellipse) => of_ellipse(ellipse),
     };
     let mut picture = held(analysis, picture);
-    if let (PlanarShape::Outline(outline), Ok(metrics)) = (shape, &analysis.metrics) {
-        let farthest = metrics.quality.as_ref().map(|quality| quality.reach.corner);
-        picture.farthest_corner = farthest.map(|corner| outline.corners()[corner].to_array());
-    }
     let contacts = analysis.grasp.contacts();
     let fingers = contacts.iter().enumerate().map(|(i, contact)| Finger {
         point: contact.overlap().point().to_array(),
@@ -106,27 +105,15 @@ fn held(analysis: &Analysis<'_, 2, 1>, picture: GraspPicture) -> GraspPicture {
     let Ok(metrics) = &analysis.metrics else {
         return GraspPicture { caption: vec!["not held".to_owned()], ..picture };
     };
-    let principal = &metrics.principal;
-    let center = principal.center().to_array();
-    let sigma_min = principal.translational().values[0];
-    let Some(quality) = &metrics.quality else {
-        let caption = vec![
-            format!("σ_{{min}} = {}", units.stiffness(sigma_min)),
-            format!("μ = {}", units.torque(principal.rotational().values[0])),
-            String::new(),
-        ];
-        let center = Some(Mark { point: center, label: "c".to_owned() });
-        return GraspPicture { center, caption, ..picture };
-    };
+    let Metrics { principal, quality, worst, .. } = metrics;
     let numbers = Numbers {
-        quality: quality.quality,
-        limited_by: quality.limited_by,
-        sigma_min,
-        mu_eq: quality.mu_eq,
-        center,
-        reach: quality.reach.distance,
-        corner: quality.reach.corner,
-        worst_point_stiffness: quality.worst_point_stiffness,
+        quality: quality.value,
+        limited_by: quality.limited_by.into(),
+        sigma_min: quality.translational,
+        mu_eq: quality.equivalent(),
+        center: principal.center().to_array(),
+        farthest: quality.softest_rotation().farthest,
+        worst_point_stiffness: worst.stiffness,
     };
     let mut picture = numbers.drawn_on(picture, units);
     picture.caption.push(String::new());
@@ -145,25 +132,27 @@ struct Numbers {
     sigma_min: f64,
     mu_eq: f64,
     center: [f64; 2],
-    reach: f64,
-    corner: usize,
+    farthest: Extreme<2>,
     worst_point_stiffness: f64,
 }
 
 impl Numbers {
     fn drawn_on(&self, picture: GraspPicture, units: UnitNames<'_>) -> GraspPicture {
         let stiffness = |value: f64| units.stiffness(value);
+        let Extreme { point, corner, value: reach } = self.farthest;
+        let to = corner.map_or_else(String::new, |corner| format!(", to corner {corner}"));
         let caption = vec![
             format!("Q = {}", stiffness(self.quality)),
             format!("limited by {}", self.limited_by),
             String::new(),
             format!("σ_{{min}} = {}", stiffness(self.sigma_min)),
             format!("μ_{{eq}} = {}", stiffness(self.mu_eq)),
-            format!("ρ_{{max}} = {}, to corner {}", units.length(self.reach), self.corner),
+            format!("ρ_{{max}} = {}{to}", units.length(reach)),
             format!("Q_{{pt}} = {}", stiffness(self.worst_point_stiffness)),
         ];
         GraspPicture {
             center: Some(Mark { point: self.center, label: "c".to_owned() }),
+            farthest_corner: Some(point.to_array()),
             caption,
             ..picture
         }

@@ -1,6 +1,6 @@
 //! The frame that a report is written in.
 
-use clench::screw::{Axis, Frame, Vector, planar, spatial};
+use clench::screw::{Axis, Frame, Mat, Twist, Vector, Wrench, planar, spatial};
 
 use crate::arguments::FrameArgument;
 use crate::failure::Failure;
@@ -42,6 +42,11 @@ impl<const N: usize, const M: usize> View<N, M> {
         &self.frame
     }
 
+    /// Whether this is the frame of the file.
+    pub(crate) fn is_of_file(&self) -> bool {
+        self.numbers.iter().all(|number| number.abs() <= 0.0)
+    }
+
     /// The same axes through the origin of the file's frame.
     pub(crate) fn turn(&self) -> Frame<N, M> {
         Frame::at(-self.frame.origin()) * self.frame
@@ -72,17 +77,51 @@ impl<const N: usize, const M: usize> View<N, M> {
         components(self.frame.spin().transpose() * turning)
     }
 
-    /// The axis in this frame: its direction, which in the plane is that of z, and its point
-    /// nearest to the origin.
+    /// The force and the torque of `wrench`, given about the origin of the file's frame, about that
+    /// of this one.
+    pub(crate) fn wrench(&self, wrench: &Wrench<N, M>) -> (Vec<f64>, Vec<f64>) {
+        let Wrench { force, torque } = wrench.in_frame(&self.frame);
+        (components(force), components(torque))
+    }
+
+    /// The translation and the rotation of `twist`, given about the origin of the file's frame,
+    /// about that of this one.
+    pub(crate) fn twist(&self, twist: &Twist<N, M>) -> (Vec<f64>, Vec<f64>) {
+        let Twist { linear, angular } = twist.in_frame(&self.frame);
+        (components(linear), components(angular))
+    }
+
+    /// The axis in this frame: its direction, which has three numbers in the plane too, and its
+    /// point nearest to the origin.
     pub(crate) fn axis(&self, axis: &Axis) -> (Vec<f64>, Vec<f64>) {
-        let turning = self.turning(Vector::from_fn(|i| axis.direction[i + 3 - M]));
-        let mut direction = vec![0.0; 3 - M];
-        direction.extend(turning);
-        let point = self.frame.point_in_frame(Vector::from_fn(|i| axis.point[i]));
-        let along = Vector::from_fn(|i| direction[i]);
-        (direction, components(point - along * along.dot(point)))
+        let within = |v: Vector<3>| Vector::<N>::from_fn(|i| v[i]);
+        let along = self.frame.direction_in_frame(within(axis.direction));
+        // The z axis of the plane stays.
+        let direction = (0..3).map(|i| plain(if i < N { along[i] } else { axis.direction[i] }));
+        let point = self.frame.point_in_frame(within(axis.point));
+        (direction.collect(), components(point - along * along.dot(point)))
+    }
+
+    /// The rows of a matrix that takes forces to translations.
+    pub(crate) fn of_forces(&self, matrix: &Mat<N, N>) -> Rows {
+        let axes = self.frame.axes();
+        rows(&(axes.transpose() * *matrix * *axes))
+    }
+
+    /// The rows of a matrix that takes rotations to torques.
+    pub(crate) fn of_rotations(&self, matrix: &Mat<M, M>) -> Rows {
+        let spin = self.frame.spin();
+        rows(&(spin.transpose() * *matrix * *spin))
+    }
+
+    /// The rows of a matrix that takes rotations to translations of one point.
+    pub(crate) fn of_coupling(&self, matrix: &Mat<N, M>) -> Rows {
+        rows(&(self.frame.axes().transpose() * *matrix * *self.frame.spin()))
     }
 }
+
+/// The rows of a matrix.
+pub(crate) type Rows = Vec<Vec<f64>>;
 
 /// The number, zero without a sign.
 pub(crate) fn plain(value: f64) -> f64 {
@@ -91,4 +130,8 @@ pub(crate) fn plain(value: f64) -> f64 {
 
 fn components<const D: usize>(vector: Vector<D>) -> Vec<f64> {
     vector.to_array().map(plain).to_vec()
+}
+
+fn rows<const R: usize, const C: usize>(matrix: &Mat<R, C>) -> Rows {
+    matrix.rows().iter().map(|row| row.iter().copied().map(plain).collect()).collect()
 }

@@ -2,13 +2,14 @@
 
 use clench::contact::{Contact, Hertz};
 use clench::screw::Vector;
-use clench::stiffness::{DeadLoad, Grasp, GraspError};
+use clench::stiffness::{Grasp, GraspError};
 
 use super::boundary::{Boundary, Piece};
 use super::contact::Entry;
 use super::document::Document;
 use super::fault::{ContactFault, Fault};
 use super::finger;
+use super::load::{self, LoadCase, NamedPoint};
 use super::number::Coordinates;
 use super::part::{Body, PlanarShape};
 use super::place::Place;
@@ -24,6 +25,8 @@ pub(crate) struct FileGrasp<const N: usize, const M: usize> {
     pub(crate) pieces: Vec<Option<Piece>>,
     /// The radius of the part.
     pub(crate) radius: f64,
+    pub(crate) points: Vec<NamedPoint<N>>,
+    pub(crate) load_cases: Vec<LoadCase<N, M>>,
 }
 
 /// The grasp of a planar part by the contacts of a file.
@@ -84,7 +87,7 @@ fn grasp<const N: usize, const M: usize>(
     let contacts = entries.map(|(number, given)| contact(&Entry { source, number, given }));
     let (contacts, pieces): (Vec<_>, Vec<_>) =
         contacts.collect::<Result<Vec<_>, _>>()?.into_iter().unzip();
-    let loads = loads(document, &file.loads)?;
+    let loads = load::dead_loads(document, &file.loads)?;
     let grasp = Grasp::new(contacts).and_then(|grasp| grasp.with_loads(loads)).map_err(|e| {
         let place = match e {
             GraspError::OutOfRange { contact } => Place::contact(contact),
@@ -93,18 +96,13 @@ fn grasp<const N: usize, const M: usize>(
         };
         document.error(&place, Fault::Grasp(e))
     })?;
-    Ok(FileGrasp { grasp, pieces, radius: boundary.radius() })
-}
-
-fn loads<const N: usize>(
-    document: &Document,
-    given: &[schema::Load],
-) -> Result<Vec<DeadLoad<N>>, Failure> {
-    let load = |(i, load): (usize, &schema::Load)| {
-        let vector = |name, numbers| vector(document, &Place::load(i).field(name), numbers);
-        Ok(DeadLoad { point: vector("point", &load.point)?, force: vector("force", &load.force)? })
-    };
-    given.iter().enumerate().map(load).collect()
+    Ok(FileGrasp {
+        grasp,
+        pieces,
+        radius: boundary.radius(),
+        points: load::named_points(document, &file.points)?,
+        load_cases: load::load_cases(document, &file.load_cases)?,
+    })
 }
 
 /// The point or direction at `place`, if it has as many numbers as the part has dimensions.

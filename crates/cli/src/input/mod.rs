@@ -13,6 +13,8 @@ mod contact;
 mod finger;
 mod law;
 
+mod load;
+
 mod boundary;
 mod material;
 mod units;
@@ -31,7 +33,9 @@ mod toml_tree;
 
 pub(crate) use boundary::{Piece, PieceKind};
 pub(crate) use document::Document;
-pub(crate) use fault::InputError;
+pub(crate) use fault::{InputError, LoadFault};
 pub(crate) use grasp::{FileGrasp, planar_grasp, spatial_grasp};
+pub(crate) use load::{LoadCase, NamedPoint};
 pub(crate) use number::Finite;
 pub(crate) use part::{Part, PlanarShape, outline_part, part};
+pub(crate) use place::Place;

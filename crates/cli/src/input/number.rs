@@ -20,6 +20,10 @@ pub(crate) struct Whole(pub(crate) u64);
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub(crate) struct Name(pub(crate) String);
 
+/// What the user calls something: it goes into reports as it is.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) struct Label(pub(crate) String);
+
 /// The path of another file.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct FileName(pub(crate) String);
@@ -31,6 +35,10 @@ pub(crate) struct Point<const N: usize>(pub(crate) [f64; N]);
 /// A point or a direction of the plane or of space: which of them, the part says.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Coordinates(pub(crate) Vec<f64>);
+
+/// A torque: one number in the plane, three in space; which of them, the part says.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Torque(pub(crate) Vec<f64>);
 
 /// One number for all edges or faces, or one for each.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -110,24 +118,35 @@ impl fmt::Display for Name {
 
 impl<'de> Deserialize<'de> for Name {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        deserializer.deserialize_str(NameVisitor)
+        let expected = "the name of a unit, such as \"mm\"";
+        deserializer.deserialize_str(WordsVisitor { expected }).map(Self)
     }
 }
 
-struct NameVisitor;
+impl<'de> Deserialize<'de> for Label {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        let expected = "a name, of at least one letter and on one line";
+        deserializer.deserialize_str(WordsVisitor { expected }).map(Self)
+    }
+}
 
-impl Visitor<'_> for NameVisitor {
-    type Value = Name;
+/// Text that can stand in a line of a report.
+struct WordsVisitor {
+    expected: &'static str,
+}
+
+impl Visitor<'_> for WordsVisitor {
+    type Value = String;
 
     fn expecting(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
-        out.write_str("the name of a unit, such as \"mm\"")
+        out.write_str(self.expected)
     }
 
-    fn visit_str<E: Error>(self, text: &str) -> Result<Name, E> {
+    fn visit_str<E: Error>(self, text: &str) -> Result<String, E> {
         if text.trim().is_empty() || text.contains(char::is_control) {
             return Err(E::invalid_value(Unexpected::Str(text), &self));
         }
-        Ok(Name(text.to_owned()))
+        Ok(text.to_owned())
     }
 }
 
@@ -200,6 +219,30 @@ pub(super) fn in_words(counts: &[usize]) -> &'static str {
         [2] => "two numbers [x, y]",
         [3] => "three numbers [x, y, z]",
         _ => "two numbers [x, y], or three numbers [x, y, z]",
+    }
+}
+
+impl<'de> Deserialize<'de> for Torque {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        deserializer.deserialize_any(TorqueVisitor).map(Torque)
+    }
+}
+
+struct TorqueVisitor;
+
+impl<'de> Visitor<'de> for TorqueVisitor {
+    type Value = Vec<f64>;
+
+    fn expecting(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
+        out.write_str("a finite number, or three numbers [x, y, z]")
+    }
+
+    fn visit_f64<E: Error>(self, value: f64) -> Result<Vec<f64>, E> {
+        FiniteVisitor.visit_f64(value).map(|torque| vec![torque.0])
+    }
+
+    fn visit_seq<A: SeqAccess<'de>>(self, items: A) -> Result<Vec<f64>, A::Error> {
+        NumbersVisitor { counts: &[3] }.visit_seq(items)
     }
 }
 

@@ -3,7 +3,7 @@
 use clench::optimize::OptimizeError;
 use clench::optimize::polygon;
 use clench::screw::Vector;
-use clench::shape::{Ellipsoid, EllipsoidError, Polygon, PolygonError};
+use clench::shape::{Ellipsoid, EllipsoidError, Extent, Polygon, PolygonError};
 
 use super::document::Document;
 use super::fault::PartFault;
@@ -34,6 +34,16 @@ pub(crate) struct Body<S> {
 pub(crate) enum PlanarShape {
     Outline(Box<Polygon>),
     Ellipse(Ellipsoid<2>),
+}
+
+impl PlanarShape {
+    /// What decides how far it reaches.
+    pub(crate) fn extent(&self) -> Extent<'_, 2> {
+        match self {
+            Self::Outline(outline) => Extent::from(&**outline),
+            Self::Ellipse(ellipse) => Extent::from(ellipse),
+        }
+    }
 }
 
 /// The part of a file, for analysis.

@@ -41,6 +41,16 @@ impl Place {
         Self::default().field("loads").item(i)
     }
 
+    /// The place of named point number `i`.
+    pub(crate) fn named_point(i: usize) -> Self {
+        Self::default().field("points").item(i)
+    }
+
+    /// The place of load case number `i`.
+    pub(crate) fn load_case(i: usize) -> Self {
+        Self::default().field("load_cases").item(i)
+    }
+
     /// The field `name` of the table at this place.
     pub(crate) fn field(mut self, name: &str) -> Self {
         self.0.push(Step::Field(name.to_owned()));

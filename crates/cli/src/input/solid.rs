@@ -1,6 +1,6 @@
 //! From the numbers of a file, or from a mesh, to a spatial part.
 
-use clench::shape::{Ellipsoid, Polyhedron, PolyhedronError};
+use clench::shape::{Ellipsoid, Extent, Polyhedron, PolyhedronError};
 
 use super::document::Document;
 use super::fault::{PartFault, listed};
@@ -16,6 +16,16 @@ use crate::failure::Failure;
 pub(crate) enum SpatialShape {
     Polyhedron(Box<Polyhedron>),
     Ellipsoid(Ellipsoid<3>),
+}
+
+impl SpatialShape {
+    /// What decides how far it reaches.
+    pub(crate) fn extent(&self) -> Extent<'_, 3> {
+        match self {
+            Self::Polyhedron(polyhedron) => Extent::from(&**polyhedron),
+            Self::Ellipsoid(ellipsoid) => Extent::from(ellipsoid),
+        }
+    }
 }
 
 /// The part that `spatial` describes.

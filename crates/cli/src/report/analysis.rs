@@ -1,17 +1,19 @@
 //! The report on a grasp.
 
-use clench::contact::{Contact, Law, Order};
-use clench::screw::{Stiffness, Vector};
+use clench::contact::{Law, Order};
+use clench::screw::Stiffness;
 use clench::stiffness::Equilibrium;
-use serde::{Serialize, Serializer};
+use serde::Serialize;
 
-use super::measures::MetricsReport;
+use super::load_case::LoadCaseReport;
+use super::measures::{InPlane, InSpace, MetricsReport};
+use super::number::{UnitNames, in_plane_a_number};
 use super::verdict::{FreeMotion, Verdict};
 use super::words::{OrderWord, StabilityWord};
 use crate::analyze::Analysis;
 use crate::input::PieceKind;
 use crate::input::schema::Units;
-use crate::view::plain;
+use crate::view::{Rows, plain};
 
 /// A share of the preload this small is rounding: the forces that balance follow from products
 /// of a few rounded numbers.
@@ -36,6 +38,9 @@ pub(crate) struct AnalysisReport<'a> {
     pub(crate) stability: StabilityWord,
     #[serde(flatten)]
     pub(crate) metrics: Option<MetricsReport>,
+    /// None in the file, or none that means anything, if the part is not held.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub(crate) load_cases: Vec<LoadCaseReport>,
     pub(crate) force_closure: bool,
     /// `t*`, the least share of the balanced preload whose least share is largest.
     pub(crate) preload_margin: Option<f64>,
@@ -53,9 +58,6 @@ pub(crate) struct AnalysisReport<'a> {
     #[serde(skip)]
     pub(crate) size: f64,
 }
-
-/// The rows of a stiffness matrix.
-pub(crate) type Rows = Vec<Vec<f64>>;
 
 /// The frame that a report is written in, seen from that of the file.
 #[derive(Clone, Debug, Serialize)]
@@ -120,7 +122,7 @@ pub(crate) struct EquilibriumReport {
     pub(crate) holds: bool,
     pub(crate) residual_force: Vec<f64>,
     /// About the frame's origin.
-    #[serde(serialize_with = "number_in_the_plane")]
+    #[serde(serialize_with = "in_plane_a_number")]
     pub(crate) residual_torque: Vec<f64>,
     /// The residual force relative to the total of preloads and loads, 0 without any.
     pub(crate) relative_force: f64,
@@ -131,21 +133,45 @@ pub(crate) struct EquilibriumReport {
 }
 
 impl<'a> AnalysisReport<'a> {
-    /// The report on `analysis`; `longest_along` is the direction in which the area of contact is
-    /// longest, where that is known.
-    pub(crate) fn new<const N: usize, const M: usize>(
-        analysis: &Analysis<'a, N, M>,
-        longest_along: impl Fn(&Contact<N, M>) -> Option<Vector<N>>,
-    ) -> Self {
+    /// The report on the grasp of a planar part.
+    pub(crate) fn planar(analysis: &Analysis<'a, 2, 1>) -> Self {
+        let mut report = Self::new(analysis);
+        if let (Ok(metrics), Some(numbers)) = (&analysis.metrics, &mut report.metrics) {
+            numbers.in_plane = Some(InPlane::new(metrics, &analysis.view));
+        }
+        report
+    }
+
+    /// The report on the grasp of a spatial part.
+    pub(crate) fn spatial(analysis: &Analysis<'a, 3, 3>) -> Self {
+        let mut report = Self::new(analysis);
+        if let (Ok(metrics), Some(numbers)) = (&analysis.metrics, &mut report.metrics) {
+            numbers.in_space = Some(InSpace::new(&metrics.principal, &analysis.view));
+        }
+        for (contact, found) in analysis.grasp.contacts().iter().zip(&mut report.contacts) {
+            let curvature = contact.overlap().geometry().relative_curvature();
+            if let (Some(area), Ok(curvature)) = (&mut found.contact_ellipse, curvature) {
+                area.direction = Some(analysis.view.direction(curvature.along));
+            }
+        }
+        report
+    }
+
+    /// All but what only plane or space have.
+    fn new<const N: usize, const M: usize>(analysis: &Analysis<'a, N, M>) -> Self {
         let grasp = analysis.grasp;
         let verdict = Verdict::on(analysis);
+        let load_cases = LoadCaseReport::all(analysis);
+        let cases = load_cases.iter().enumerate();
+        let of_cases = cases.flat_map(|(i, case)| case.warnings(i, UnitNames(analysis.units)));
+        let warnings = verdict.warnings.into_iter().chain(of_cases).collect();
         let preload = |origin| grasp.preload_stiffness(origin);
         let formed = |order| rows(&analysis.stiffness(|origin| grasp.stiffness(origin, order)));
         Self {
             dimension: N,
             units: analysis.units,
             frame: FrameReport::new(analysis),
-            contacts: contacts(analysis, longest_along),
+            contacts: contacts(analysis),
             loads: loads(analysis),
             order: analysis.order.into(),
             stiffness: formed(analysis.order),
@@ -154,12 +180,13 @@ impl<'a> AnalysisReport<'a> {
             equilibrium: equilibrium(analysis),
             stability: analysis.classes.grasp.into(),
             metrics: analysis.metrics.as_ref().ok().map(|m| MetricsReport::new(m, &analysis.view)),
+            load_cases,
             force_closure: analysis.preloads.force_closure,
             preload_margin: analysis.preloads.best.as_ref().map(|best| plain(best.margin)),
             reason: verdict.reason,
             free_motion: verdict.free_motion,
             pulling_contacts: verdict.pulling_contacts,
-            warnings: verdict.warnings,
+            warnings,
             size: analysis.size,
         }
     }
@@ -180,17 +207,13 @@ fn rows<const N: usize, const M: usize>(stiffness: &Stiffness<N, M>) -> Rows {
     (0..N + M).map(row).collect()
 }
 
-fn contacts<const N: usize, const M: usize>(
-    analysis: &Analysis<'_, N, M>,
-    longest_along: impl Fn(&Contact<N, M>) -> Option<Vector<N>>,
-) -> Vec<AnalyzedContact> {
+fn contacts<const N: usize, const M: usize>(analysis: &Analysis<'_, N, M>) -> Vec<AnalyzedContact> {
     let shares = analysis.preloads.best.as_ref().map(|best| &best.shares);
     let contacts = analysis.grasp.contacts().iter().zip(analysis.pieces).enumerate();
     contacts
         .map(|(i, (contact, piece))| {
             let on = |wanted| piece.filter(|piece| piece.kind == wanted).map(|piece| piece.number);
             let overlap = contact.overlap();
-            let along = || longest_along(contact).map(|along| analysis.view.direction(along));
             let line = match contact.law() {
                 Law::Line(line) => Some(line),
                 _ => None,
@@ -207,7 +230,7 @@ fn contacts<const N: usize, const M: usize>(
                 contact_ellipse: match contact.law() {
                     Law::Hertz(law) => Some(ContactEllipse {
                         semi_axes: law.semi_axes(overlap.depth()),
-                        direction: along(),
+                        direction: None,
                         peak_pressure: law.peak_pressure(overlap.depth()),
                     }),
                     _ => None,
@@ -237,13 +260,5 @@ fn equilibrium<const N: usize, const M: usize>(analysis: &Analysis<'_, N, M>) ->
         residual_torque: view.turning(about.torque),
         relative_force,
         relative_torque,
-    }
-}
-
-/// A torque: one number in the plane, a list of three in space.
-fn number_in_the_plane<S: Serializer>(torque: &[f64], serializer: S) -> Result<S::Ok, S::Error> {
-    match torque {
-        [number] => number.serialize(serializer),
-        _ => torque.serialize(serializer),
     }
 }

@@ -4,7 +4,7 @@ use std::fmt;
 
 use super::analysis::{AnalysisReport, NO_SHARE};
 use super::measures::MetricsReport;
-use super::number::{UnitNames, spot};
+use super::number::{UnitNames, numbered, spot};
 use super::page::Page;
 use super::words::{OrderWord, StabilityWord};
 use crate::wording::{counted, digits, precise_digits, rough_digits};
@@ -28,6 +28,7 @@ impl fmt::Display for AnalysisText<'_> {
         self.metrics(&mut page);
         self.holding(&mut page);
         self.axes(&mut page);
+        self.load_cases(&mut page);
         page.line("");
         self.stiffness(&mut page);
         page.fmt(out)
@@ -41,6 +42,16 @@ impl AnalysisText<'_> {
 
     pub(super) fn spot(&self, point: &[f64]) -> String {
         format!("{} {}", spot(point, self.report.size), self.report.units.length)
+    }
+
+    /// A point of the part, and its number if it is a corner.
+    pub(super) fn place(&self, point: &[f64], corner: Option<usize>) -> String {
+        numbered(self.spot(point), self.corner(), corner)
+    }
+
+    /// What a corner of the part is called.
+    pub(super) fn corner(&self) -> &'static str {
+        if self.planar() { "corner" } else { "vertex" }
     }
 
     pub(super) fn planar(&self) -> bool {
@@ -61,11 +72,10 @@ impl AnalysisText<'_> {
             },
         );
         match (&report.metrics, &report.reason) {
-            (Some(MetricsReport { quality: Some(quality), .. }), None) => {
+            (Some(MetricsReport { quality, .. }), None) => {
                 let q = self.units().stiffness(quality.quality);
                 page.head("quality", format_args!("Q = {q}, limited by {}", quality.limited_by));
             }
-            (Some(_), None) => page.head("quality", "of outlines only so far"),
             (_, Some(reason)) => page.head("no answer", reason),
             (None, None) => {}
         }
@@ -221,10 +231,7 @@ impl AnalysisText<'_> {
             ["the total of all forces", "all forces times their arms"]
         };
         let force = format!("{} {}", spot(&residual.residual_force, 0.0), units.0.force);
-        let torque = match &residual.residual_torque[..] {
-            [torque] => units.torque(*torque),
-            torque => format!("{} {} {}", spot(torque, 0.0), units.0.force, units.0.length),
-        };
+        let torque = units.torques(&residual.residual_torque);
         let share = rough_digits(residual.relative_force);
         page.row("equilibrium", "fails", format_args!("left: force {force}, {share} of {total}"));
         let share = rough_digits(residual.relative_torque);

@@ -1,150 +1,136 @@
 //! The numbers of a grasp that holds the part, in the frame of the report.
 
-use clench::metrics::{MetricsError, Principal, Quality, WorstPoint};
-use clench::screw::Axis;
-use clench::shape::Polygon;
+use clench::metrics::Principal;
+use clench::screw::Vector;
 use serde::Serialize;
 
-use super::words::LimitWord;
-use crate::held::Metrics;
-use crate::view::{View, plain};
+use super::axes::{Rotational, Translational};
+use super::quality::{QualityReport, ReachReport};
+use crate::metrics::Metrics;
+use crate::view::{Rows, View, plain};
 
-/// The principal stiffnesses and their centers, and the quality where there is one.
+/// The quality, the principal stiffnesses, and what else does not depend on the frame.
 #[derive(Debug, Serialize)]
 pub(crate) struct MetricsReport {
     #[serde(flatten)]
-    pub(crate) quality: Option<QualityReport>,
-    pub(crate) sigma_min: f64,
+    pub(crate) quality: QualityReport,
     pub(crate) translational: Vec<Translational>,
     pub(crate) rotational: Vec<Rotational>,
-    /// In the plane.
+    /// In space some grasps have none.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub(crate) center_of_compliance: Option<Vec<f64>>,
-    /// In space: the point about which force and rotation couple symmetrically.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub(crate) center: Option<Vec<f64>>,
-}
-
-/// The quality of a grasp of an outline.
-#[derive(Clone, Debug, Serialize)]
-pub(crate) struct QualityReport {
-    pub(crate) quality: f64,
-    pub(crate) limited_by: LimitWord,
-    pub(crate) mu_eq: f64,
-    pub(crate) reach: ReachReport,
-    /// Principal rotational stiffnesses that repeat make the quality ambiguous in space; in the
-    /// plane there is one.
-    pub(crate) degenerate: bool,
-    pub(crate) quality_rotational: f64,
-    pub(crate) worst_point_stiffness: f64,
-    pub(crate) worst_point: Vec<f64>,
-    pub(crate) worst_corner: usize,
-    pub(crate) worst_direction: Vec<f64>,
-}
-
-/// A principal translational stiffness.
-#[derive(Clone, Debug, Serialize)]
-pub(crate) struct Translational {
-    pub(crate) value: f64,
-    pub(crate) direction: Vec<f64>,
-}
-
-/// A principal rotational stiffness.
-#[derive(Clone, Debug, Serialize)]
-pub(crate) struct Rotational {
-    pub(crate) value: f64,
     #[serde(flatten)]
-    pub(crate) axis: AxisReport,
-    /// To the corner farthest from the axis, of an outline.
+    pub(crate) in_plane: Option<InPlane>,
+    #[serde(flatten)]
+    pub(crate) in_space: Option<InSpace>,
+    /// `K_V`.
+    pub(crate) stiffness_rotational: Rows,
+    /// `C_W`.
+    pub(crate) compliance_translational: Rows,
+    /// `P_1` about the frame's origin.
+    pub(crate) twist_map: Rows,
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub(crate) reach: Option<f64>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub(crate) equivalent: Option<f64>,
+    pub(crate) energy_ellipsoids: Option<EnergyEllipsoids>,
 }
 
-/// The axis of a motion that no force drives.
-#[derive(Clone, Debug, Serialize)]
-pub(crate) struct AxisReport {
-    /// In the plane that of z.
-    pub(crate) direction: Vec<f64>,
-    /// The point nearest to the frame's origin.
-    pub(crate) axis_point: Vec<f64>,
-    /// How far the part moves along the axis per turn of one radian.
-    pub(crate) pitch: f64,
+/// What only planar parts have.
+#[derive(Debug, Serialize)]
+pub(crate) struct InPlane {
+    pub(crate) reach: ReachReport,
+    /// Of a report in another frame.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(crate) center_of_compliance_in_file_frame: Option<Vec<f64>>,
 }
 
-/// The corner farthest from the center of compliance.
-#[derive(Clone, Debug, Serialize)]
-pub(crate) struct ReachReport {
-    pub(crate) corner: usize,
-    pub(crate) point: Vec<f64>,
-    pub(crate) distance: f64,
+/// What only spatial parts have.
+#[derive(Debug, Serialize)]
+pub(crate) struct InSpace {
+    /// The point about which force and rotation couple symmetrically.
+    pub(crate) center: Vec<f64>,
+    /// Whether it is the center of compliance.
+    pub(crate) true_center_exists: bool,
+    pub(crate) loncaric_center_of_stiffness: Vec<f64>,
+    pub(crate) loncaric_center_of_compliance: Vec<f64>,
+    /// `P_1` about the center.
+    pub(crate) pitch_tensor: Rows,
+}
+
+/// Semi-axes of the ellipsoids of unit energy, in the order of the principal stiffnesses.
+#[derive(Debug, Serialize)]
+pub(crate) struct EnergyEllipsoids {
+    pub(crate) displacement: SemiAxes,
+    pub(crate) wrench: SemiAxes,
+}
+
+/// What of an ellipsoid does not depend on the frame.
+#[derive(Debug, Serialize)]
+pub(crate) struct SemiAxes {
+    pub(crate) section: Vec<f64>,
+    pub(crate) projection: Vec<f64>,
 }
 
 impl MetricsReport {
-    /// The report on `metrics`, written in `view`.
+    /// The report on `metrics`, written in `view`, but for what only plane or space have.
     pub(super) fn new<const N: usize, const M: usize>(
         metrics: &Metrics<N, M>,
         view: &View<N, M>,
     ) -> Self {
-        let Metrics { principal, quality } = metrics;
-        let (center, planar) = (view.point(principal.center()), N == 2);
-        let (translational, rotational) = (principal.translational(), principal.rotational());
-        let axes = principal.twist_axes();
-        let slide = |i: usize| Translational {
-            value: translational.values[i],
-            direction: view.direction(translational.vectors[i]),
-        };
-        let turn = |i: usize| Rotational {
-            value: rotational.values[i],
-            axis: AxisReport::new(&axes[i], view),
-            reach: quality.as_ref().map(|quality| quality.reach.distance),
-            equivalent: quality.as_ref().map(|quality| quality.mu_eq),
-        };
+        let principal = &metrics.principal;
+        let about_origin = principal.about(view.frame().origin());
         Self {
-            quality: quality.clone(),
-            sigma_min: translational.values[0],
-            translational: (0..N).map(slide).collect(),
-            rotational: (0..M).map(turn).collect(),
-            center_of_compliance: planar.then(|| center.clone()),
-            center: (!planar).then_some(center),
+            quality: QualityReport::new(metrics, view),
+            translational: Translational::all(principal, view),
+            rotational: Rotational::all(metrics, view),
+            center_of_compliance: principal.center_of_compliance().map(|c| view.point(c)),
+            in_plane: None,
+            in_space: None,
+            stiffness_rotational: view.of_rotations(principal.restricted_stiffness()),
+            compliance_translational: view.of_forces(principal.translational_compliance()),
+            twist_map: view.of_coupling(&about_origin.twist_map()),
+            energy_ellipsoids: EnergyEllipsoids::new(principal),
         }
     }
 }
 
-impl QualityReport {
-    /// The quality of a grasp of `outline`, and its worst point.
-    pub(crate) fn of(
-        principal: &Principal<2, 1>,
-        outline: &Polygon,
-        view: &View<2, 1>,
-    ) -> Result<Self, MetricsError> {
-        let Quality { value, limited_by, equivalent, reach, .. } = Quality::of(principal, outline);
-        let worst = WorstPoint::of(principal, outline)?;
-        let corner = |number: usize| view.point(outline.corners()[number]);
-        Ok(Self {
-            quality: value,
-            limited_by: limited_by.into(),
-            mu_eq: equivalent,
-            reach: ReachReport {
-                corner: reach.corner,
-                point: corner(reach.corner),
-                distance: reach.distance,
-            },
-            degenerate: false,
-            quality_rotational: equivalent,
-            worst_point_stiffness: worst.stiffness,
-            worst_point: corner(worst.corner),
-            worst_corner: worst.corner,
-            worst_direction: view.direction(worst.direction),
-        })
+impl InPlane {
+    /// What `metrics` of a planar part say besides.
+    pub(super) fn new(metrics: &Metrics<2, 1>, view: &View<2, 1>) -> Self {
+        let center = metrics.principal.center().to_array().map(plain);
+        let [rotation] = &metrics.quality.rotations;
+        Self {
+            reach: ReachReport::new(&rotation.farthest, view),
+            center_of_compliance_in_file_frame: (!view.is_of_file()).then(|| center.to_vec()),
+        }
     }
 }
 
-impl AxisReport {
-    /// The axis, written in `view`.
-    pub(super) fn new<const N: usize, const M: usize>(axis: &Axis, view: &View<N, M>) -> Self {
-        let (direction, axis_point) = view.axis(axis);
-        Self { direction, axis_point, pitch: plain(axis.pitch) }
+impl InSpace {
+    /// What `principal` says besides.
+    pub(super) fn new(principal: &Principal<3, 3>, view: &View<3, 3>) -> Self {
+        Self {
+            center: view.point(principal.center()),
+            true_center_exists: principal.center_of_compliance().is_some(),
+            loncaric_center_of_stiffness: view.point(principal.loncaric_center_of_stiffness()),
+            loncaric_center_of_compliance: view.point(principal.loncaric_center_of_compliance()),
+            pitch_tensor: view.of_coupling(&principal.pitch_tensor()),
+        }
+    }
+}
+
+impl EnergyEllipsoids {
+    /// Those of `principal`; the sections are at no rotation and no force, so that none is empty.
+    fn new<const N: usize, const M: usize>(principal: &Principal<N, M>) -> Option<Self> {
+        let translations = principal.displacement_section(Vector::ZERO)?;
+        let torques = principal.wrench_section(Vector::ZERO)?;
+        Some(Self {
+            displacement: SemiAxes {
+                section: translations.semi_axes.to_vec(),
+                projection: principal.displacement_projection().semi_axes.to_vec(),
+            },
+            wrench: SemiAxes {
+                section: torques.semi_axes.to_vec(),
+                projection: principal.wrench_projection().semi_axes.to_vec(),
+            },
+        })
     }
 }

@@ -1,161 +1,163 @@
 //! The numbers of a grasp that holds the part, in words.
 
 use super::analysis_text::AnalysisText;
-use super::measures::{MetricsReport, Rotational};
-use super::number::{INVISIBLE, spot};
+use super::axes::{AxisReport, Rotational, Translational};
+use super::measures::{InSpace, MetricsReport};
+use super::number::{beside, spot};
 use super::page::Page;
-use super::words::OrderWord;
+use super::quality::QualityReport;
 use crate::wording::digits;
 
-/// The coordinates of twists in the plane.
-const PLANAR: [&str; 3] = ["x", "y", "rot"];
-
-/// The coordinates of twists in space.
-const SPATIAL: [&str; 6] = ["x", "y", "z", "rot x", "rot y", "rot z"];
-
 impl AnalysisText<'_> {
-    /// The principal stiffnesses, their centers, and the quality where there is one.
+    /// The quality, and the centers.
     pub(super) fn metrics(&self, page: &mut Page) {
         let Some(metrics) = &self.report.metrics else { return };
-        self.translations(page, metrics);
-        if let [principal] = &metrics.rotational[..] {
-            self.rotation(page, principal);
-        }
-        if let Some(center) = &metrics.center_of_compliance {
-            page.row("center of compliance", self.spot(center), "");
-        }
-        if let Some(center) = &metrics.center {
-            let meaning = "where force and rotation couple symmetrically";
-            page.row("center", self.spot(center), meaning);
-        }
-        self.quality(page, metrics);
+        self.quality(page, &metrics.quality);
+        self.centers(page, metrics);
     }
 
-    fn translations(&self, page: &mut Page, metrics: &MetricsReport) {
-        let count = metrics.translational.len();
-        for (i, principal) in metrics.translational.iter().enumerate() {
-            let along = along(&principal.direction);
-            let meaning =
-                if i == 0 { format!("least translational stiffness, {along}") } else { along };
-            let value = self.units().stiffness(principal.value);
-            page.row(&ranked("sigma", i, count), value, meaning);
-        }
-    }
-
-    /// The one rotation of the plane.
-    fn rotation(&self, page: &mut Page, principal: &Rotational) {
+    fn quality(&self, page: &mut Page, quality: &QualityReport) {
         let units = self.units();
-        page.row("mu", units.torque(principal.value), "rotational stiffness");
-        if let Some(equivalent) = principal.equivalent {
-            let meaning = "mu / reach^2: comparable to sigma_min";
-            page.row("mu_eq", units.stiffness(equivalent), meaning);
+        let row = |page: &mut Page, label: &str, value: f64, meaning: &str| {
+            page.row(label, units.stiffness(value), meaning);
+        };
+        row(page, "sigma_min", quality.sigma_min, "least translational stiffness");
+        let moved = if self.planar() { "reach" } else { "deflection" };
+        let meaning = format!("least mu / {moved}^2: comparable to sigma_min");
+        row(page, "mu_eq", quality.mu_eq, &meaning);
+        if !self.planar() {
+            let meaning = format!(
+                "least mu_eq of all rotations that need no force{}",
+                self.proved(quality.quality_rotational_at_least)
+            );
+            row(page, "Q_V", quality.quality_rotational, &meaning);
+        }
+        let meaning = format!(
+            "worst point, least force per deflection: at {}, along {}{}",
+            self.place(&quality.worst_point, quality.worst_corner),
+            spot(&quality.worst_direction, 1.0),
+            self.proved(quality.worst_point_stiffness_at_least)
+        );
+        row(page, "Q_pt", quality.worst_point_stiffness, &meaning);
+    }
+
+    /// What a search could not decide.
+    fn proved(&self, at_least: Option<f64>) -> String {
+        at_least.map_or_else(String::new, |bound| {
+            format!("; only {} is proved", self.units().stiffness(bound))
+        })
+    }
+
+    fn centers(&self, page: &mut Page, metrics: &MetricsReport) {
+        if let Some(center) = &metrics.center_of_compliance {
+            let in_plane = metrics.in_plane.as_ref();
+            let of_file = in_plane.and_then(|p| p.center_of_compliance_in_file_frame.as_ref());
+            let of_file =
+                of_file.map(|center| format!("in the file's frame {}", self.spot(center)));
+            page.row("center of compliance", self.spot(center), of_file.unwrap_or_default());
+        }
+        if let Some(space) = metrics.in_space.as_ref().filter(|space| !space.true_center_exists) {
+            self.centers_of_space(page, space);
         }
     }
 
-    /// The principal rotations of space.
+    /// What takes the place of the center of compliance, where there is none.
+    fn centers_of_space(&self, page: &mut Page, space: &InSpace) {
+        let meaning = "where force and rotation couple symmetrically; no center of compliance";
+        page.row("center", self.spot(&space.center), meaning);
+        for (label, center, meaning) in [
+            ("center of stiffness", &space.loncaric_center_of_stiffness, "K"),
+            ("", &space.loncaric_center_of_compliance, "the inverse of K"),
+        ] {
+            let meaning = format!("after Loncaric: where the coupling of {meaning} is symmetric");
+            page.row(label, self.spot(center), meaning);
+        }
+    }
+
+    /// The principal stiffnesses with their axes.
     pub(super) fn axes(&self, page: &mut Page) {
-        let Some(metrics) = self.report.metrics.as_ref().filter(|_| !self.planar()) else { return };
-        let (units, size) = (self.report.units, self.report.size);
-        let head = [
-            "rotation".to_owned(),
-            format!("stiffness [{} {}]", units.force, units.length),
-            "axis along".to_owned(),
-            format!("through [{}]", units.length),
-            format!("pitch [{}]", units.length),
-        ];
-        let mut rows = vec![head.to_vec()];
-        for (i, Rotational { value, axis, .. }) in metrics.rotational.iter().enumerate() {
-            let pitch = if axis.pitch.abs() <= INVISIBLE * size { 0.0 } else { axis.pitch };
-            rows.push(vec![
-                ranked("mu", i, metrics.rotational.len()),
-                digits(*value),
-                spot(&axis.direction, 1.0),
-                spot(&axis.axis_point, size),
-                digits(pitch),
-            ]);
+        let Some(metrics) = &self.report.metrics else { return };
+        self.translations(page, &metrics.translational);
+        self.rotations(page, &metrics.rotational);
+        repeated(page, &metrics.rotational);
+    }
+
+    fn translations(&self, page: &mut Page, translational: &[Translational]) {
+        let mut rows = vec![self.axis_head("translation", &self.units().per_length())];
+        for (i, principal) in translational.iter().enumerate() {
+            let name = ranked("sigma", i, translational.len());
+            rows.push(self.axis_row(name, principal.value, &principal.axis));
+        }
+        self.axis_table(page, rows, &["pitch"]);
+    }
+
+    fn rotations(&self, page: &mut Page, rotational: &[Rotational]) {
+        let (units, length) = (self.units(), &self.report.units.length);
+        let mut rows = vec![self.axis_head("rotation", &units.per_turn())];
+        rows[0].extend([
+            format!("reach [{length}]"),
+            format!("deflection [{length}/rad]"),
+            format!("mu_eq [{}]", units.per_length()),
+            "farthest".to_owned(),
+        ]);
+        for (i, principal) in rotational.iter().enumerate() {
+            let name = ranked("mu", i, rotational.len());
+            let mut row = self.axis_row(name, principal.value, &principal.axis);
+            row.extend([principal.reach, principal.deflection, principal.equivalent].map(digits));
+            row.push(self.place(&principal.farthest_point, principal.farthest_corner));
+            rows.push(row);
+        }
+        self.axis_table(page, rows, &["along", "pitch", "deflection"]);
+    }
+
+    fn axis_head(&self, name: &str, unit: &str) -> Vec<String> {
+        let length = &self.report.units.length;
+        vec![
+            name.to_owned(),
+            format!("stiffness [{unit}]"),
+            "along".to_owned(),
+            format!("through [{length}]"),
+            format!("pitch [{length}]"),
+        ]
+    }
+
+    fn axis_row(&self, name: String, value: f64, axis: &AxisReport) -> Vec<String> {
+        let size = self.report.size;
+        let (direction, point) = (spot(&axis.direction, 1.0), spot(&axis.axis_point, size));
+        vec![name, digits(value), direction, point, beside(size, axis.pitch)]
+    }
+
+    /// A table without those columns that say nothing in the plane: there all rotations are about
+    /// z, and no axis has a pitch.
+    fn axis_table(&self, page: &mut Page, mut rows: Vec<Vec<String>>, of_space: &[&str]) {
+        let named = |head: &String| of_space.iter().any(|name| head.starts_with(name));
+        let idle: Vec<bool> = rows[0].iter().map(|head| self.planar() && named(head)).collect();
+        for row in &mut rows {
+            let mut idle = idle.iter();
+            row.retain(|_| idle.next() == Some(&false));
         }
         page.line("");
         page.table(&rows);
     }
+}
 
-    fn quality(&self, page: &mut Page, metrics: &MetricsReport) {
-        let Some(quality) = &metrics.quality else { return };
-        let (units, reach) = (self.units(), &quality.reach);
-        page.row(
-            "reach",
-            units.length(reach.distance),
-            format_args!("to corner {} at {}, the farthest", reach.corner, self.spot(&reach.point)),
-        );
-        page.row(
-            "worst point",
-            units.stiffness(quality.worst_point_stiffness),
-            format_args!(
-                "least force per deflection: at corner {}, {}",
-                quality.worst_corner,
-                along(&quality.worst_direction)
-            ),
-        );
-    }
-
-    /// The stiffness matrix.
-    pub(super) fn stiffness(&self, page: &mut Page) {
-        page.line("stiffness matrix about the frame's origin");
-        let names: &[&str] = if self.planar() { &PLANAR } else { &SPATIAL };
-        let mut rows = vec![vec![String::new()]];
-        rows[0].extend(names.iter().enumerate().map(|(i, name)| self.twist(i, name)));
-        for (i, entries) in self.report.stiffness.iter().enumerate() {
-            let mut row = vec![self.wrench(i, names[i])];
-            row.extend(entries.iter().map(|&value| digits(value)));
-            rows.push(row);
-        }
-        page.table(&rows);
-        self.added(page);
-    }
-
-    /// What preloads, curvatures and loads have added to the stiffness.
-    fn added(&self, page: &mut Page) {
-        let (units, count) = (self.units(), self.report.dimension);
-        let rows = &self.report.stiffness_preload;
-        let [translation, rotation] = [0..count, count..rows.len()].map(|block| {
-            let entry = |i: usize| rows[i][block.clone()].iter();
-            block.clone().flat_map(entry).fold(0.0, |m: f64, v| m.max(v.abs()))
-        });
-        if self.report.order == OrderWord::Second && translation.max(rotation) > 0.0 {
-            page.line(format_args!(
-                "of this, preloads, curvatures and loads add up to {} to an entry for \
-                 translations, and {} for rotations",
-                units.stiffness(translation),
-                units.torque(rotation)
-            ));
-        }
-    }
-
-    /// The heading of a column of the stiffness: a motion with its unit.
-    fn twist(&self, i: usize, name: &str) -> String {
-        let length = self.report.units.length.0.as_str();
-        format!("{name} [{}]", if i < self.report.dimension { length } else { "rad" })
-    }
-
-    /// The name of a row: the force or torque that goes with a motion, and its unit.
-    fn wrench(&self, i: usize, name: &str) -> String {
-        let units = self.report.units;
-        if i < self.report.dimension {
-            return format!("force {name} [{}]", units.force);
-        }
-        let torque = name.replace("rot", "torque");
-        format!("{torque} [{} {}]", units.force, units.length)
+/// What repeated rotational stiffnesses mean for the table of rotations.
+fn repeated(page: &mut Page, rotational: &[Rotational]) {
+    if let Some(softest) = rotational.iter().find_map(|r| r.softest_direction.as_ref()) {
+        page.line(format_args!(
+            "degenerate: rotational stiffnesses are repeated, and the same about any axis between \
+             theirs; reach, deflection and mu_eq are those of the softest such rotation, along {}",
+            spot(softest, 1.0)
+        ));
     }
 }
 
 /// The name of number `i` of `count` ascending values.
 fn ranked(name: &str, i: usize, count: usize) -> String {
-    match i {
-        0 => format!("{name}_min"),
+    match (i, count) {
+        (_, 1) => name.to_owned(),
+        (0, _) => format!("{name}_min"),
         _ if i + 1 == count => format!("{name}_max"),
         _ => name.to_owned(),
     }
-}
-
-fn along(direction: &[f64]) -> String {
-    format!("along {}", spot(direction, 1.0))
 }

@@ -2,9 +2,16 @@
 
 mod analysis;
 mod analysis_text;
+mod verdict;
+
+mod axes;
 mod measures;
 mod measures_text;
-mod verdict;
+mod quality;
+mod stiffness_text;
+
+mod load_case;
+mod load_case_text;
 
 mod optimum;
 mod optimum_text;
@@ -19,7 +26,6 @@ use crate::failure::Failure;
 
 pub(crate) use analysis::AnalysisReport;
 pub(crate) use analysis_text::AnalysisText;
-pub(crate) use measures::QualityReport;
 pub(crate) use number::{UnitNames, spot};
 pub(crate) use optimum::{OptimumReport, Question, UnansweredReport};
 pub(crate) use optimum_text::OptimumText;

@@ -2,6 +2,8 @@
 
 use std::fmt::{self, Display};
 
+use serde::{Serialize, Serializer};
+
 use crate::input::schema::Units;
 use crate::wording::digits;
 
@@ -9,10 +11,23 @@ use crate::wording::digits;
 /// smaller than any part can be placed.
 pub(super) const INVISIBLE: f64 = 1e-12;
 
+/// A number beside something of the given `size`: zero if it is rounding.
+pub(super) fn beside(size: f64, value: f64) -> String {
+    digits(if value.abs() <= INVISIBLE * size { 0.0 } else { value })
+}
+
 /// A point or a direction, beside something of the given `size`.
 pub(crate) fn spot(point: &[f64], size: f64) -> String {
-    let shown = |&v: &f64| digits(if v.abs() <= INVISIBLE * size { 0.0 } else { v });
-    format!("({})", point.iter().map(shown).collect::<Vec<_>>().join(", "))
+    let shown = point.iter().map(|&value| beside(size, value));
+    format!("({})", shown.collect::<Vec<_>>().join(", "))
+}
+
+/// A point that is written as `spot`, and its number if it is a `corner` or `vertex`.
+pub(super) fn numbered(spot: String, name: &str, corner: Option<usize>) -> String {
+    match corner {
+        Some(corner) => format!("{name} {corner} at {spot}"),
+        None => spot,
+    }
 }
 
 /// The names of the units of a report.
@@ -37,7 +52,15 @@ impl UnitNames<'_> {
 
     /// A torque with its unit.
     pub(crate) fn torque(self, value: f64) -> String {
-        format!("{} {} {}", digits(value), self.0.force, self.0.length)
+        format!("{} {}", digits(value), self.per_turn())
+    }
+
+    /// A torque of the plane or of space with its unit.
+    pub(crate) fn torques(self, torque: &[f64]) -> String {
+        match torque {
+            [torque] => self.torque(*torque),
+            _ => format!("{} {}", spot(torque, 0.0), self.per_turn()),
+        }
     }
 
     /// A force per area with its unit.
@@ -48,6 +71,22 @@ impl UnitNames<'_> {
     /// The unit of force per deflection.
     pub(crate) fn per_length(self) -> String {
         format!("{}/{}", self.0.force, self.0.length)
+    }
+
+    /// The unit of a torque, and of torque per radian.
+    pub(crate) fn per_turn(self) -> String {
+        format!("{} {}", self.0.force, self.0.length)
+    }
+}
+
+/// A torque or a rotation: one number in the plane, a list of three in space.
+pub(super) fn in_plane_a_number<S: Serializer>(
+    turning: &[f64],
+    serializer: S,
+) -> Result<S::Ok, S::Error> {
+    match turning {
+        [number] => number.serialize(serializer),
+        _ => turning.serialize(serializer),
     }
 }
 

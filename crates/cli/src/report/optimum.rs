@@ -4,7 +4,7 @@ use clench::optimize::polygon::Part;
 use clench::optimize::{Outcome, Placement};
 use serde::Serialize;
 
-use super::measures::ReachReport;
+use super::quality::ReachReport;
 use super::words::LimitWord;
 use crate::input::{Finite, schema};
 use crate::optimize::Found;
@@ -58,7 +58,8 @@ pub(crate) struct PlacementReport {
     pub(crate) reach: ReachReport,
     pub(crate) worst_point_stiffness: f64,
     pub(crate) worst_point: [f64; 2],
-    pub(crate) worst_corner: usize,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(crate) worst_corner: Option<usize>,
     /// The least share.
     pub(crate) preload_margin: f64,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -131,23 +132,23 @@ impl PlacementReport {
     fn new(question: &Question<'_>, part: &Part, found: &Found<'_>) -> Self {
         let solution = found.solution;
         let quality = solution.quality;
-        let corner = |number: usize| part.outline().corners()[number].to_array();
+        let farthest = quality.softest_rotation().farthest;
         let contact = |p: &Placement| PlacedFinger::new(question, part, p);
         let contacts: Vec<_> = solution.placements.iter().map(contact).collect();
         let second = found.second_order.as_ref();
         Self {
             quality: quality.value,
             sigma_min: quality.translational,
-            mu_eq: quality.equivalent,
+            mu_eq: quality.equivalent(),
             limited_by: quality.limited_by.into(),
             center_of_compliance: solution.center().to_array().map(plain),
             reach: ReachReport {
-                corner: quality.reach.corner,
-                point: corner(quality.reach.corner).to_vec(),
-                distance: quality.reach.distance,
+                corner: farthest.corner,
+                point: farthest.point.to_array().to_vec(),
+                distance: farthest.value,
             },
             worst_point_stiffness: found.worst.stiffness,
-            worst_point: corner(found.worst.corner),
+            worst_point: found.worst.point.to_array(),
             worst_corner: found.worst.corner,
             preload_margin: contacts.iter().map(|c| c.share).fold(f64::INFINITY, f64::min),
             contacts,

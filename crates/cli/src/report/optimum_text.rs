@@ -6,7 +6,7 @@ use clench::optimize::polygon::Part;
 
 use super::analysis::NO_SHARE;
 use super::analysis_text::share;
-use super::number::{UnitNames, spot};
+use super::number::{UnitNames, numbered, spot};
 use super::optimum::{OptimumReport, PlacementReport};
 use super::page::Page;
 use super::words::LimitWord;
@@ -47,6 +47,10 @@ impl OptimumText<'_> {
 
     fn spot(&self, point: &[f64]) -> String {
         format!("{} {}", spot(point, self.size()), self.report.question.units.length)
+    }
+
+    fn place(&self, point: &[f64], corner: Option<usize>) -> String {
+        numbered(self.spot(point), "corner", corner)
     }
 
     fn count(&self) -> &'static str {
@@ -159,20 +163,12 @@ impl OptimumText<'_> {
             "rotational stiffness / reach^2: comparable to sigma_min",
         );
         page.row("center of compliance", self.spot(&best.center_of_compliance), "");
-        page.row(
-            "reach",
-            units.length(best.reach.distance),
-            format_args!(
-                "to corner {} at {}, the farthest",
-                best.reach.corner,
-                self.spot(&best.reach.point)
-            ),
-        );
-        page.row(
-            "worst point",
-            units.stiffness(best.worst_point_stiffness),
-            format_args!("least force per deflection: at corner {}", best.worst_corner),
-        );
+        let (reach, farthest) = (&best.reach, self.place(&best.reach.point, best.reach.corner));
+        let meaning = format!("to {farthest}, the farthest");
+        page.row("reach", units.length(reach.distance), meaning);
+        let worst = self.place(&best.worst_point, best.worst_corner);
+        let meaning = format!("worst point, least force per deflection: at {worst}");
+        page.row("Q_pt", units.stiffness(best.worst_point_stiffness), meaning);
         if let Some(quality) = best.quality_second_order {
             let meaning = "Q with all that preload and finger radius add";
             page.row("second order", units.stiffness(quality), meaning);

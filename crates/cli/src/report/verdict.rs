@@ -7,7 +7,7 @@ use clench::stiffness::{BALANCED, Stability};
 use serde::Serialize;
 
 use super::analysis::NO_SHARE;
-use super::measures::AxisReport;
+use super::axes::AxisReport;
 use super::number::{INVISIBLE, spot};
 use crate::analyze::Analysis;
 use crate::held::NotHeld;
@@ -103,7 +103,7 @@ fn escape_of<const N: usize, const M: usize>(
         }
         MetricsError::RotationNotHeld { axis, point, pitch, value, scale } => {
             let axis = Axis { direction: axis.into(), point: point.into(), pitch };
-            let motion = FreeMotion::Rotation(AxisReport::new(&axis, &analysis.view));
+            let motion = FreeMotion::Rotation(AxisReport::of_rotation(&axis, &analysis.view));
             Some(Escape { motion, drive: drive(value, scale) })
         }
         _ => None,

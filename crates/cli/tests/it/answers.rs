@@ -144,7 +144,7 @@ fn text_and_json_agree() {
     for piece in [
         "Q = 1.1138 F/L, limited by rotation",
         "center of compliance  (6.15385, 5.53846) L",
-        "to corner 1 at (13, 0) L, the farthest",
+        "8.80593    1.1138       corner 1 at (13, 0) L",
         "that of the file",
         "              x [L]  y [L]  rot [rad]",
         "torque [F L]  -8.8   13.6   218.8",

@@ -2,8 +2,11 @@
 
 #![allow(clippy::unwrap_used, reason = "a test that cannot go on fails")]
 
+use std::collections::BTreeSet;
 use std::fs;
 use std::path::Path;
+
+use clench_testkit::cases::Value;
 
 use crate::run::Folder;
 
@@ -56,11 +59,15 @@ fn the_commands_of_the_readme_find_an_answer() {
 fn the_files_of_the_page_on_files_are_read() {
     let page = document("docs/files.md");
     let files = blocks(&page, "toml");
-    assert_eq!(files.len(), 3);
+    assert_eq!(files.len(), 4);
     let folder = Folder::new("files-page");
     folder.write("part.toml", files[0]);
     assert_eq!(folder.run("optimize part.toml --fingers 4").code, Some(0));
-    for (file, stable) in [(files[1], "stable to first order"), (files[2], "by its preload")] {
+    for (file, stable) in [
+        (files[1], "stable to first order"),
+        (files[2], "by its preload"),
+        (files[3], "contact 1 lifts off first"),
+    ] {
         folder.write("grasp.toml", file);
         let grasp = folder.run("analyze grasp.toml");
         assert_eq!((grasp.code, grasp.err.as_str()), (Some(0), ""));
@@ -126,18 +133,27 @@ fn the_files_of_the_help_are_read() {
 #[test]
 fn the_keys_of_the_reports_are_those_of_the_page() {
     let page = document("docs/files.md");
+    let listed = |titles: &[&str]| -> BTreeSet<String> {
+        let tables = titles.iter().map(|title| page.split(title).nth(1).unwrap());
+        let rows = tables.flat_map(|table| table.split("\n\n").next().unwrap().lines().skip(2));
+        let cells = rows.map(|row| row.split(" | ").next().unwrap());
+        let names = cells.flat_map(|cell| cell.split('`').skip(1).step_by(2));
+        names.map(str::to_owned).collect()
+    };
+    let keys = |report: &Value| -> BTreeSet<String> {
+        report.as_object().unwrap().keys().cloned().collect()
+    };
     let folder = with_parts("keys");
-    let analyze = "analyze parts/quadrilateral-grasp.toml";
-    let optimize = "optimize parts/quadrilateral.toml --fingers 4 --preload 0.8 --top 2";
-    for (command, title) in [(analyze, "| key of `analyze`"), (optimize, "| key of `optimize`")] {
-        let table = page.split(title).nth(1).unwrap().split("\n\n").next().unwrap();
-        let cells = table.lines().skip(2).map(|row| row.split(" | ").next().unwrap());
-        let mut listed: Vec<&str> =
-            cells.flat_map(|cell| cell.split('`').skip(1).step_by(2)).collect();
-        let report = folder.json(command);
-        let mut found: Vec<&str> = report.as_object().unwrap().keys().map(String::as_str).collect();
-        listed.sort_unstable();
-        found.sort_unstable();
-        assert_eq!(found, listed, "{command}");
-    }
+    let analyze = "| key of `analyze`";
+    let planar = folder.json("analyze parts/quadrilateral-grasp.toml");
+    assert_eq!(keys(&planar), listed(&[analyze, "| in the plane | value"]));
+    let spatial = folder.json("analyze parts/cube-grasp.toml");
+    let mut found = keys(&spatial);
+    assert!(found.remove("load_cases"));
+    assert_eq!(found, listed(&[analyze, "| in space | value"]));
+    // The contacts lift off under more than the load.
+    assert_eq!(keys(&spatial["load_cases"][0]), listed(&["| key of a load case"]));
+    let optimum =
+        folder.json("optimize parts/quadrilateral.toml --fingers 4 --preload 0.8 --top 2");
+    assert_eq!(keys(&optimum), listed(&["| key of `optimize`"]));
 }

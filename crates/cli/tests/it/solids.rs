@@ -1,6 +1,6 @@
 //! Grasps of solids by hand, and what is wrong with solids that are none.
 
-use clench_testkit::cases::{Value, list, number, numbers};
+use clench_testkit::cases::{list, number, numbers};
 use clench_testkit::{assert_all_close, assert_close};
 
 use crate::run::{Folder, Ran, assert_says};
@@ -69,7 +69,12 @@ fn six_locators_have_the_stiffness_that_is_computed_by_hand() {
         list(&report["translational"]).iter().map(|p| number(&p["value"])).collect();
     assert_all_close(&sigma, &[3.0, 6.0, 9.0], ROUNDING, "sigma");
     assert_eq!(list(&report["rotational"]).len(), 3);
-    assert_eq!((&report["quality"], &report["sigma_min"]), (&Value::Null, &sigma[0].into()));
+    assert_eq!(
+        (&report["limited_by"], &report["sigma_min"]),
+        (&"rotation".into(), &sigma[0].into())
+    );
+    // Two turns of 1.5, and a corner at the distance sqrt(3) from an axis between theirs.
+    assert_close(number(&report["quality"]), 0.5, ROUNDING, 1.0, "Q");
     assert_eq!(numbers(&report["frame"]["rotation_vector"]), [0.0; 3]);
 }
 
@@ -184,7 +189,7 @@ fn text_names_the_rows_and_columns_of_space() {
         "contact  face  point [L]",
         "rot z [rad]",
         "torque x [F L]",
-        "rotation  stiffness [F L]  axis along ",
+        "rotation  stiffness [F L]  along ",
         "mu_min    1.5  ",
         "mu_max    2  ",
         "where force and rotation couple symmetrically",

@@ -1,6 +1,7 @@
 //! What can be wrong with a file's text and numbers.
 
 mod contact;
+mod load;
 mod mesh;
 mod part;
 
@@ -16,6 +17,7 @@ use super::place::Place;
 use super::schema::VERSION;
 
 pub(crate) use contact::{ContactFault, Coordinates, Nearest};
+pub(crate) use load::LoadFault;
 pub(crate) use mesh::MeshFault;
 pub(crate) use part::PartFault;
 
@@ -112,6 +114,9 @@ pub(crate) enum Fault {
     /// What holds it.
     #[error(transparent)]
     Contact(#[from] ContactFault),
+    /// What acts on it.
+    #[error(transparent)]
+    Load(#[from] LoadFault),
     /// The grasp cannot be formed.
     #[error(transparent)]
     Grasp(GraspError),

@@ -1,6 +1,7 @@
 //! The file schema, version 1: what a part file and a grasp file may say.
 
 mod contact;
+mod load;
 mod part;
 
 mod results;
@@ -8,9 +9,10 @@ mod words;
 
 use serde::{Deserialize, Serialize};
 
-use super::number::{Coordinates, Name, Whole};
+use super::number::{Name, Whole};
 
 pub(crate) use contact::{Contact, Finger, Law, Material};
+pub(crate) use load::{Load, LoadCase, NamedPoint};
 pub(crate) use part::{Part, Planar, Spatial};
 pub(super) use results::without_results;
 pub(super) use words::{expected, help};
@@ -18,7 +20,7 @@ pub(super) use words::{expected, help};
 /// The schema that this program reads.
 pub(crate) const VERSION: u64 = 1;
 
-/// A part, and for a grasp its contacts and loads.
+/// A part, and for a grasp its contacts and what acts on it.
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields, expecting = "a table with `part`")]
 pub(crate) struct File {
@@ -30,6 +32,10 @@ pub(crate) struct File {
     pub(crate) contacts: Vec<Contact>,
     #[serde(default)]
     pub(crate) loads: Vec<Load>,
+    #[serde(default)]
+    pub(crate) points: Vec<NamedPoint>,
+    #[serde(default)]
+    pub(crate) load_cases: Vec<LoadCase>,
 }
 
 /// The names of the units that all numbers of a file are in.
@@ -45,12 +51,4 @@ impl Default for Units {
     fn default() -> Self {
         Self { length: Name("L".to_owned()), force: Name("F".to_owned()) }
     }
-}
-
-/// A force that acts on the part besides the fingers, such as its weight.
-#[derive(Clone, Debug, Deserialize)]
-#[serde(deny_unknown_fields, expecting = "a table with `point` and `force`")]
-pub(crate) struct Load {
-    pub(crate) point: Coordinates,
-    pub(crate) force: Coordinates,
 }

@@ -30,6 +30,7 @@ pub(in super::super) fn expected(place: &Place, name: &str) -> &'static str {
         }
         "poisson" => "a number, at most 1/2",
         "point" | "force" if place.steps().len() > 1 => in_words(&[]),
+        "name" => "a name",
         "kind" => "`linear`, `power`, `hertz` or `line`",
         _ => "the name of a unit, such as \"mm\"",
     }

@@ -1,0 +1,29 @@
+//! What can be wrong with a named point or a load case.
+
+use crate::input::Place;
+
+/// Why a named point or a load case was refused.
+#[derive(Debug, thiserror::Error)]
+pub(crate) enum LoadFault {
+    /// Two points of one name.
+    #[error("found the name of {first} again, expected another one")]
+    RepeatedName { first: Place },
+    /// A load case that says nothing.
+    #[error("found neither `force` nor `torque`, expected at least one of them")]
+    NoLoad,
+    /// A torque of space on a planar part.
+    #[error("found a list of three numbers, expected one number: the part is planar")]
+    SpatialTorque,
+    /// A torque of the plane on a spatial part.
+    #[error("found one number, expected three numbers [x, y, z]: the part is spatial")]
+    PlanarTorque,
+    /// A tolerance that nothing keeps.
+    #[error("the tolerance is {value}, but has to be a positive number")]
+    Tolerance { value: f64 },
+    /// The displacement or a force is not a finite number.
+    #[error(
+        "what the load does to the part is out of range: choose units in which lengths and forces \
+         are nearer to 1"
+    )]
+    OutOfRange,
+}

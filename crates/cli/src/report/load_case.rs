@@ -1,0 +1,171 @@
+//! The report on a load case, in the frame of the report.
+
+use clench::screw::Vector;
+use clench::stiffness::LiftOff;
+use serde::Serialize;
+
+use super::number::{UnitNames, in_plane_a_number};
+use crate::analyze::Analysis;
+use crate::input::NamedPoint;
+use crate::response::Response;
+use crate::view::plain;
+use crate::wording::digits;
+
+/// What a load on top of the state at rest does.
+#[derive(Debug, Serialize)]
+pub(crate) struct LoadCaseReport {
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(crate) name: Option<String>,
+    pub(crate) force: Vec<f64>,
+    /// About the frame's origin.
+    #[serde(serialize_with = "in_plane_a_number")]
+    pub(crate) torque: Vec<f64>,
+    pub(crate) displacement: Displacement,
+    pub(crate) points: Vec<PointReport>,
+    pub(crate) largest: LargestReport,
+    /// In the order of the contacts.
+    pub(crate) contact_forces: Vec<ContactForce>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(crate) first_to_lift_off: Option<LiftOffReport>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(crate) tolerance: Option<f64>,
+    /// How many times the load can grow until a point moves by the tolerance.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(crate) margin: Option<f64>,
+}
+
+/// How the part moves.
+#[derive(Debug, Serialize)]
+pub(crate) struct Displacement {
+    /// Of its point at the frame's origin.
+    pub(crate) translation: Vec<f64>,
+    #[serde(serialize_with = "in_plane_a_number")]
+    pub(crate) rotation: Vec<f64>,
+}
+
+/// How a named point moves.
+#[derive(Debug, Serialize)]
+pub(crate) struct PointReport {
+    pub(crate) name: String,
+    pub(crate) point: Vec<f64>,
+    pub(crate) displacement: Vec<f64>,
+    pub(crate) distance: f64,
+}
+
+/// How the point of the part that moves most does.
+#[derive(Debug, Serialize)]
+pub(crate) struct LargestReport {
+    pub(crate) point: Vec<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(crate) corner: Option<usize>,
+    pub(crate) displacement: Vec<f64>,
+    pub(crate) distance: f64,
+}
+
+/// The force of a contact under the load.
+#[derive(Debug, Serialize)]
+pub(crate) struct ContactForce {
+    /// From the preload.
+    pub(crate) change: f64,
+    pub(crate) force: f64,
+}
+
+/// The contact that comes off the part first when the load grows.
+#[derive(Debug, Serialize)]
+pub(crate) struct LiftOffReport {
+    pub(crate) contact: usize,
+    /// How many times the load it is then.
+    pub(crate) load_factor: f64,
+}
+
+impl LoadCaseReport {
+    /// The reports on the load cases of `analysis`.
+    pub(super) fn all<const N: usize, const M: usize>(analysis: &Analysis<'_, N, M>) -> Vec<Self> {
+        analysis.responses.iter().map(|response| Self::new(analysis, response)).collect()
+    }
+
+    fn new<const N: usize, const M: usize>(
+        analysis: &Analysis<'_, N, M>,
+        response: &Response<'_, N, M>,
+    ) -> Self {
+        let (view, deflection) = (&analysis.view, &response.deflection);
+        let (force, torque) = view.wrench(&response.case.wrench);
+        let (translation, rotation) = view.twist(&deflection.twist);
+        let moved = |point: Vector<N>| view.direction(deflection.at(point));
+        let largest = &deflection.largest;
+        let named = |NamedPoint { name, point }: &NamedPoint<N>| PointReport {
+            name: name.clone(),
+            point: view.point(*point),
+            displacement: moved(*point),
+            distance: deflection.at(*point).norm(),
+        };
+        let tolerance = response.case.tolerance;
+        let margin = tolerance.map(|tolerance| deflection.margin(tolerance));
+        Self {
+            name: response.case.name.clone(),
+            force,
+            torque,
+            displacement: Displacement { translation, rotation },
+            points: analysis.points.iter().map(named).collect(),
+            largest: LargestReport {
+                point: view.point(largest.point),
+                corner: largest.corner,
+                displacement: moved(largest.point),
+                distance: largest.value,
+            },
+            contact_forces: contact_forces(analysis, response),
+            first_to_lift_off: response.lift_off.and_then(LiftOffReport::new),
+            tolerance,
+            margin: margin.filter(|margin| margin.is_finite()),
+        }
+    }
+
+    /// What a reader has to know before trusting the numbers of load case `number`.
+    pub(super) fn warnings(&self, number: usize, units: UnitNames<'_>) -> Vec<String> {
+        let case = self.title(number);
+        let lifted = self.first_to_lift_off.as_ref().filter(|first| first.load_factor < 1.0);
+        let lifted = lifted.map(|first| {
+            let (contact, factor) = (first.contact, digits(first.load_factor));
+            format!(
+                "under {case} contact {contact} lifts off at {factor} times the load: a finger can \
+                 only push, and beyond that the numbers of this load case do not hold"
+            )
+        });
+        let tolerance = self.tolerance.filter(|&tolerance| self.largest.distance > tolerance);
+        let exceeded = tolerance.map(|tolerance| {
+            let [distance, tolerance] = [self.largest.distance, tolerance].map(|v| units.length(v));
+            format!(
+                "under {case} the part moves by {distance}, beyond the tolerance of {tolerance}"
+            )
+        });
+        lifted.into_iter().chain(exceeded).collect()
+    }
+
+    /// The load case by its number, and its name if it has one.
+    pub(super) fn title(&self, number: usize) -> String {
+        match &self.name {
+            Some(name) => format!("load case {number} ({name})"),
+            None => format!("load case {number}"),
+        }
+    }
+}
+
+impl LiftOffReport {
+    /// What lifts off only under a load that is no number does not.
+    fn new(LiftOff { contact, load_factor }: LiftOff) -> Option<Self> {
+        load_factor.is_finite().then_some(Self { contact, load_factor: plain(load_factor) })
+    }
+}
+
+fn contact_forces<const N: usize, const M: usize>(
+    analysis: &Analysis<'_, N, M>,
+    response: &Response<'_, N, M>,
+) -> Vec<ContactForce> {
+    let contacts = analysis.grasp.contacts().iter().zip(&response.force_changes);
+    contacts
+        .map(|(contact, &change)| ContactForce {
+            change: plain(change),
+            force: plain(contact.preload() + change),
+        })
+        .collect()
+}
