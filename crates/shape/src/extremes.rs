@@ -119,7 +119,10 @@ impl<const N: usize> Extremes<N> {
     /// where one place stands out, and all of them where all tie.
     pub fn farthest_by(&self, growth: f64, square: impl Fn(Vector<N>, f64) -> f64) -> Extreme<N> {
         let mut search = Search { extremes: self, growth, square, best: (0, f64::NEG_INFINITY) };
-        search.visit(&self.root);
+        match &self.root.content {
+            Content::Leaf(places) => search.scan(places.clone()),
+            Content::Branches(branches) => search.descend(branches),
+        }
         let (place, square) = search.best;
         Extreme {
             point: self.points[place],
@@ -172,24 +175,27 @@ struct Search<'a, const N: usize, F> {
 }
 
 impl<const N: usize, F: Fn(Vector<N>, f64) -> f64> Search<'_, N, F> {
-    fn visit(&mut self, node: &Node<N>) {
-        match &node.content {
-            Content::Leaf(places) => {
-                for place in places.clone() {
-                    let square = (self.square)(self.extremes.points[place], self.best.1);
-                    // What is not a number is to be seen, and stays.
-                    if square > self.best.1 || square.is_nan() {
-                        self.best = (place, square);
-                    }
-                }
-            }
-            Content::Branches(branches) => {
-                let bounds = branches.each_ref().map(|branch| self.bound(branch));
-                let order = if bounds[0] >= bounds[1] { [0, 1] } else { [1, 0] };
-                for branch in order {
-                    if bounds[branch] > self.best.1 {
-                        self.visit(&branches[branch]);
-                    }
+    /// Looks at all points of a leaf.
+    fn scan(&mut self, places: std::ops::Range<usize>) {
+        let (mut place, mut largest) = self.best;
+        for next in places {
+            let square = (self.square)(self.extremes.points[next], largest);
+            // What is not a number is to be seen, and stays.
+            let larger = square > largest || square.is_nan();
+            place = if larger { next } else { place };
+            largest = if larger { square } else { largest };
+        }
+        self.best = (place, largest);
+    }
+
+    fn descend(&mut self, branches: &[Node<N>; 2]) {
+        let bounds = branches.each_ref().map(|branch| self.bound(branch));
+        let order = if bounds[0] >= bounds[1] { [0, 1] } else { [1, 0] };
+        for branch in order {
+            if bounds[branch] > self.best.1 {
+                match &branches[branch].content {
+                    Content::Leaf(places) => self.scan(places.clone()),
+                    Content::Branches(branches) => self.descend(branches),
                 }
             }
         }

@@ -8,9 +8,9 @@ use crate::{Mat, ScrewError, Vector};
 /// for any input.
 const MAX_SWEEPS: usize = 32;
 
-/// An entry below this part of the geometric mean of its two diagonal entries rotates them by less
-/// than a unit of rounding, so it counts as zero.
-const NO_ROTATION: f64 = f64::EPSILON;
+/// An entry below this part of the geometric mean of its two diagonal entries rotates them by a few
+/// units of rounding, which is what the rotations before it have left: it counts as zero.
+const NO_ROTATION: f64 = 4.0 * f64::EPSILON;
 
 /// Eigenvalues of like size are at least this part of the largest.
 const ALIKE: f64 = 1.0 / 64.0;
