@@ -21,6 +21,8 @@ pub struct EquivalentStiffness<const N: usize, const M: usize> {
     pub pitch: f64,
     /// The point that this twist moves most, and how far, the *deflection* (length per rad).
     pub farthest: Extreme<N>,
+    /// How many principal rotations were compared: 1, or more where their stiffness is repeated.
+    pub multiplicity: usize,
 }
 
 impl<const N: usize, const M: usize> EquivalentStiffness<N, M> {
@@ -31,6 +33,7 @@ impl<const N: usize, const M: usize> EquivalentStiffness<N, M> {
         rotation: Vector::ZERO,
         pitch: 0.0,
         farthest: Extreme { point: Vector::ZERO, corner: None, value: 0.0 },
+        multiplicity: 0,
     };
 
     /// The least of all rotations that need no force: `Q_V` (force / length).
@@ -80,6 +83,7 @@ impl<const N: usize, const M: usize> EquivalentStiffness<N, M> {
             rotation,
             pitch: twist.linear.in_space().dot(rotation.in_space()),
             farthest,
+            multiplicity: end - first,
         };
         found.finite()
     }
@@ -95,7 +99,8 @@ impl<const N: usize, const M: usize> EquivalentStiffness<N, M> {
         let farthest = body.fastest(principal.origin(), &twist);
         let value = mu / (farthest.value * farthest.value);
         let pitch = twist.linear.in_space().dot(rotation.in_space());
-        Self { value, at_least: value, rotation, pitch, farthest }.finite()
+        let found = Self { value, at_least: value, rotation, pitch, farthest, multiplicity: 1 };
+        found.finite()
     }
 
     fn finite(self) -> Result<Self, MetricsError> {

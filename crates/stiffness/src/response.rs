@@ -4,6 +4,10 @@ use clench_screw::{Twist, Vector};
 
 use crate::Grasp;
 
+/// A change of overlap below this many units of rounding of what it is the difference of is none:
+/// the displacement follows from a load by a few dozen products, and is multiplied once more.
+const NO_CHANGE: f64 = 64.0 * f64::EPSILON;
+
 /// The contact that a growing load takes off the part first.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LiftOff {
@@ -19,7 +23,7 @@ impl<const N: usize, const M: usize> Grasp<N, M> {
     /// (force): `f' grad(delta) . q`.
     ///
     /// Positive where the part is pressed on the finger. As far as the displacement follows from a
-    /// load to first order, the changes balance it.
+    /// load to first order, the changes balance it. What is nothing but rounding is 0.
     ///
     /// ```
     /// use clench_contact::{Contact, Geometry, Law};
@@ -65,8 +69,12 @@ impl<const N: usize, const M: usize> Grasp<N, M> {
     }
 
     fn changes(&self, origin: Vector<N>, displacement: &Twist<N, M>) -> impl Iterator<Item = f64> {
+        let [shift, turn] = [displacement.linear.norm(), displacement.angular.norm()];
         self.contacts().iter().map(move |contact| {
-            contact.slope() * displacement.power(&contact.overlap().gradient(origin))
+            let overlap = contact.overlap();
+            let deeper = displacement.power(&overlap.gradient(origin));
+            let terms = shift + turn * (overlap.point() - origin).norm();
+            if deeper.abs() <= NO_CHANGE * terms { 0.0 } else { contact.slope() * deeper }
         })
     }
 }

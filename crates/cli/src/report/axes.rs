@@ -86,9 +86,8 @@ impl Rotational {
             (metrics.principal.rotational().values, metrics.principal.twist_axes());
         let rotations = &metrics.quality.rotations;
         let one = |i: usize| {
-            let EquivalentStiffness { value, rotation, farthest, .. } = rotations[i];
-            // What is repeated has one softest rotation.
-            let repeated = (0..M).any(|other| other != i && rotations[other] == rotations[i]);
+            let EquivalentStiffness { value, rotation, farthest, multiplicity, .. } = rotations[i];
+            let repeated = multiplicity > 1;
             Self {
                 value: values[i],
                 axis: AxisReport::of_rotation(&axes[i], view),

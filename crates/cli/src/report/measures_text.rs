@@ -66,10 +66,10 @@ impl AnalysisText<'_> {
         let meaning = "where force and rotation couple symmetrically; no center of compliance";
         page.row("center", self.spot(&space.center), meaning);
         for (label, center, meaning) in [
-            ("center of stiffness", &space.loncaric_center_of_stiffness, "K"),
-            ("", &space.loncaric_center_of_compliance, "the inverse of K"),
+            ("  of stiffness", &space.loncaric_center_of_stiffness, "K"),
+            ("  of compliance", &space.loncaric_center_of_compliance, "the inverse of K"),
         ] {
-            let meaning = format!("after Loncaric: where the coupling of {meaning} is symmetric");
+            let meaning = format!("Loncaric's, where the coupling of {meaning} is symmetric");
             page.row(label, self.spot(center), meaning);
         }
     }

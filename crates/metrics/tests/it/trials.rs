@@ -220,6 +220,7 @@ fn the_cluster_convention_holds_for_pairs_and_ends_at_its_tolerance() {
     assert!(pair.degenerate);
     assert_close(pair.rotations[0].value, 4.0 / 3.0, 1e-14, 1.0, "pair");
     assert_eq!(pair.rotations[0], pair.rotations[1]);
+    assert_eq!(pair.rotations.map(|rotation| rotation.multiplicity), [2, 2, 1]);
     assert_close(pair.rotations[2].value, 5.0 / 2.0, 1e-14, 1.0, "single");
     // The chain of gaps counts, not the whole spread.
     let gap = 1e-9;

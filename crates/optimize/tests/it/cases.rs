@@ -33,7 +33,7 @@ fn four_fingers_reach_the_optimum_of_each_combination() {
             let found = four_fingers_on(&part, edges).unwrap().expect(&what).quality;
             let (sigma, mu_eq) = (number(&combination[1]), number(&combination[2]));
             assert_close(found.translational, sigma, DIGITS, sigma, &what);
-            assert_close(found.equivalent, mu_eq, DIGITS, mu_eq, &what);
+            assert_close(found.equivalent(), mu_eq, DIGITS, mu_eq, &what);
             combinations += 1;
         }
         let outcome = four_fingers(&part, &FourFingers::default(), |_| {}).unwrap();
@@ -87,7 +87,7 @@ fn three_fingers_reach_the_optimum_of_each_triplet() {
             let (q, mu_eq) = (number(&triplet["q"]), number(&triplet["mu_eq"]));
             let sigma = number(&triplet["sigma_min"]);
             assert_close(found.quality.value, q, DIGITS, q, &what);
-            assert_close(found.quality.equivalent, mu_eq, DIGITS, mu_eq, &what);
+            assert_close(found.quality.equivalent(), mu_eq, DIGITS, mu_eq, &what);
             assert_close(found.quality.translational, sigma, DIGITS, sigma, &what);
             let meeting = numbers(&triplet["concurrency"]);
             assert_all_close(&found.center().to_array(), &meeting, DIGITS, &what);

@@ -99,7 +99,7 @@ fn a_square_is_held_at_its_corners() {
     let outcome = four_fingers(&part, &FourFingers::default(), |_| {}).unwrap();
     let best = &outcome.best;
     assert!((best.quality.value - 2.0).abs() < 1e-14);
-    assert!((best.quality.equivalent - 2.0).abs() < 1e-14);
+    assert!((best.quality.equivalent() - 2.0).abs() < 1e-14);
     assert_eq!(best.edges(), [0, 1, 2, 3]);
     assert_eq!(outcome.combinations.total, 13);
 }

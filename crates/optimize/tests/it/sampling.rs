@@ -59,7 +59,7 @@ pub(crate) fn equivalent(part: &Part, edges: [usize; 4], along: [f64; 4]) -> Opt
     }
     let about = |origin| grasp.stiffness(origin, Order::First);
     let principal = Principal::near(grasp.centroid(), about).ok()?;
-    Some(Quality::of(&principal, part.outline()).equivalent)
+    Some(Quality::of(&principal, part.outline()).unwrap().equivalent())
 }
 
 /// Random steps that shrink when none helps.
@@ -109,7 +109,7 @@ fn no_sample_beats_the_four_finger_optimum_and_ascent_comes_close() {
             for _ in 0..3000 {
                 let along = std::array::from_fn(|_| r.between(0.0, 1.0));
                 if let Some(value) = equivalent(&part, edges, along) {
-                    let optimum = best.as_ref().expect("a placement closes").quality.equivalent;
+                    let optimum = best.as_ref().expect("a placement closes").quality.equivalent();
                     assert!(value <= optimum * (1.0 + 1e-12), "{edges:?}: {value} > {optimum}");
                     if start.is_none_or(|s| value > s.1) {
                         start = Some((along, value));
@@ -118,7 +118,7 @@ fn no_sample_beats_the_four_finger_optimum_and_ascent_comes_close() {
             }
             let (Some(start), Some(best)) = (start, best) else { continue };
             let (_, reached) = ascend(r, &part, edges, start);
-            let optimum = best.quality.equivalent;
+            let optimum = best.quality.equivalent();
             assert!(reached <= optimum * (1.0 + 1e-12), "{edges:?}: {reached} > {optimum}");
             compared += 1;
             close += usize::from(reached >= optimum * 0.999);
@@ -150,7 +150,7 @@ fn a_reported_placement_has_the_reported_quality() {
         assert_close(grasp.total_preload(), 1.0, 1e-14, 1.0, "shares");
         let about = |origin| grasp.stiffness(origin, Order::First);
         let principal = Principal::near(grasp.centroid(), about).unwrap();
-        let quality = Quality::of(&principal, part.outline());
+        let quality = Quality::of(&principal, part.outline()).unwrap();
         assert_close(quality.value, best.quality.value, 1e-12, quality.value, "quality");
         let margin = grasp.preloads().unwrap().best.unwrap().margin;
         let least = best.placements.iter().map(|p| p.share).fold(f64::INFINITY, f64::min);
@@ -189,7 +189,7 @@ fn three_fingers_match_a_grid_of_meeting_points_and_the_second_order_stiffness()
                 }
             }
         }
-        let reach = best.quality.reach.distance;
+        let reach = best.quality.rotations[0].farthest.value;
         assert!(reach <= least * (1.0 + 1e-12));
         // The grid's spacing is 0.06, and the reach changes by no more than the point does; a
         // sliver between the strips may hide from the grid.
@@ -210,7 +210,7 @@ fn three_fingers_match_a_grid_of_meeting_points_and_the_second_order_stiffness()
         let principal = Principal::near(grasp.centroid(), about).unwrap();
         let overlaps: f64 =
             grasp.contacts().iter().map(|c| c.preload() * c.overlap().depth()).sum();
-        let mu = best.quality.equivalent * reach * reach;
+        let mu = best.quality.equivalent() * reach * reach;
         let found = principal.rotational().values[0] + overlaps;
         assert_close(found, mu, 1e-9, mu, format!("mu on {edges:?}"));
     }

@@ -11,3 +11,4 @@
 mod laws;
 mod limits;
 mod random;
+mod response;
