@@ -1,6 +1,5 @@
 //! Where a body gives way most: the largest of a compliance over its points and directions.
 
-use clench_screw::spatial::cross;
 use clench_screw::{Mat, SymmetricEigen, Vector, Wrench, lever};
 use clench_shape::{Extent, Extreme};
 
@@ -91,8 +90,7 @@ impl<'a, const N: usize, const M: usize> Softness<'a, N, M> {
         if is_below(&matrix, floor) {
             return floor;
         }
-        let decomposed = || SymmetricEigen::beside_largest(&matrix).map(|e| e.values[N - 1]);
-        largest_eigenvalue(&matrix).unwrap_or_else(|| decomposed().unwrap_or(f64::NAN))
+        SymmetricEigen::largest_value(&matrix).unwrap_or(f64::NAN)
     }
 
     fn at(&self, found: Extreme<N>) -> Result<Softest<N>, MetricsError> {
@@ -151,44 +149,4 @@ fn is_below<const N: usize>(matrix: &Mat<N, N>, floor: f64) -> bool {
         }
     }
     true
-}
-
-/// The largest eigenvalue, in a quarter of the time of a decomposition: of a 2 x 2 matrix in closed
-/// form, of a 3 x 3 one by Newton's method for the characteristic polynomial; `None` where another
-/// is so near that digits would be lost.
-///
-/// From above the steps never pass the root. They start where the root is if the other two
-/// eigenvalues are equal: `t / 3 + sqrt(2 / 3 (s - t^2 / 3))` with the trace `t` and the sum `s` of
-/// the squares of the entries.
-fn largest_eigenvalue<const N: usize>(matrix: &Mat<N, N>) -> Option<f64> {
-    /// More steps are needed only near a double root.
-    const MAX_STEPS: usize = 8;
-    /// A last step of this part of the root is rounding.
-    const ARRIVED: f64 = 8.0 * f64::EPSILON;
-    /// The least slope at the root, in units of its square: the inverse multiplies the rounding.
-    const LEAST_SLOPE: f64 = 1.0 / 32.0;
-    if N == 2 {
-        let [mean, half] = [1.0, -1.0].map(|sign| 0.5 * (matrix[0][0] + sign * matrix[1][1]));
-        return Some(mean + (half * half + matrix[0][1] * matrix[1][0]).sqrt());
-    }
-    if N != 3 {
-        return None;
-    }
-    let a = Mat::<3, 3>::from_fn(|i, j| matrix[i][j]);
-    let [x, y, z] = [0, 1, 2].map(|i| Vector::new(a[i]));
-    let (minors, determinant) = ([cross(y, z), cross(z, x), cross(x, y)], x.dot(cross(y, z)));
-    let (trace, sum) = (a.trace(), (0..3).map(|i| minors[i][i]).sum::<f64>());
-    // s - t^2 / 3 = 2 (t^2 / 3 - m) with the sum m of the principal minors.
-    let spread = (trace * trace / 3.0 - sum).max(0.0);
-    let mut root = trace / 3.0 + 2.0 / 3.0 * (3.0 * spread).sqrt();
-    for _ in 0..MAX_STEPS {
-        let value = ((root - trace) * root + sum) * root - determinant;
-        let slope = (3.0 * root - 2.0 * trace) * root + sum;
-        let step = value / slope;
-        root -= step;
-        if step.abs() <= ARRIVED * root {
-            return (slope >= LEAST_SLOPE * root * root).then_some(root);
-        }
-    }
-    None
 }

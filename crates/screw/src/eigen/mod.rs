@@ -1,6 +1,7 @@
 //! The eigenvalues and eigenvectors of a small symmetric matrix.
 
 mod closed_form;
+mod largest;
 
 use crate::{Mat, ScrewError, Vector};
 

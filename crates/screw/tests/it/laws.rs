@@ -219,6 +219,12 @@ fn eigen_of_chosen_values<const N: usize>(rotation: &Mat<N, N>, values: [f64; N]
     sorted.sort_by(f64::total_cmp);
     let limit = 8.0 * N as f64 * f64::EPSILON;
     assert_all_close(&eigen.values, &sorted, limit, "eigenvalues");
+    let beside = SymmetricEigen::beside_largest(&a).unwrap();
+    assert_all_close(&beside.values, &sorted, limit, "eigenvalues beside the largest");
+    if sorted[0] >= 0.0 {
+        let largest = SymmetricEigen::largest_value(&a).unwrap();
+        assert_all_close(&[largest], &sorted[N - 1..], 32.0 * limit, "largest");
+    }
     let q = Mat::<N, N>::from_fn(|i, j| eigen.vectors[j][i]);
     let rebuilt =
         q * Mat::from_fn(|i, j| if i == j { eigen.values[i] } else { 0.0 }) * q.transpose();
