@@ -55,8 +55,8 @@ impl<'a, const N: usize, const M: usize> Softness<'a, N, M> {
         Self { principal, base: Mat::ZERO, spread, growth: mu.values[first].sqrt().recip() }
     }
 
-    /// Where on the body it is largest: its root, as a norm of `[base^(1/2), G]`, grows from place to
-    /// place no faster than `G`.
+    /// Where on the body it is largest: its root, as a norm of `[base^(1/2), G]`, grows from place
+    /// to place no faster than `G`.
     pub(crate) fn largest(&self, body: Extent<'_, N>) -> Result<Softest<N>, MetricsError> {
         match body {
             Extent::Extremes(extremes) => {

@@ -12,6 +12,9 @@ const ARRIVED: f64 = 8.0 * f64::EPSILON;
 /// The least slope at the root, in units of its square: the inverse multiplies the rounding.
 const LEAST_SLOPE: f64 = 1.0 / 32.0;
 
+/// Beside a product of three entries, its roundings have to be in the range of numbers too.
+const ROUNDING: f64 = f64::EPSILON;
+
 impl<const N: usize> SymmetricEigen<N> {
     /// The largest eigenvalue of a symmetric matrix without a negative one: in a quarter of the
     /// time of a decomposition, but where another is near it.
@@ -27,9 +30,8 @@ impl<const N: usize> SymmetricEigen<N> {
     ///
     /// As [`SymmetricEigen::new`].
     pub fn largest_value(a: &Mat<N, N>) -> Result<f64, ScrewError> {
-        // Products of three entries, and roundings of them, have to be in the range of numbers.
         let size = a.trace();
-        let in_range = (size * size * size * f64::EPSILON).is_normal();
+        let in_range = (size * size * size * ROUNDING).is_normal();
         let quick = match N {
             2 if in_range => Some(of_two(a)),
             3 if in_range => of_three(&Mat::from_fn(|i, j| a[i][j])),
