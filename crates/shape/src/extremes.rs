@@ -69,13 +69,7 @@ impl<const N: usize> Extremes<N> {
     ///
     /// [`BodyError::NoPoints`] and [`BodyError::PointOutOfRange`].
     pub fn new(points: &[[f64; N]]) -> Result<Self, BodyError> {
-        if points.is_empty() {
-            return Err(BodyError::NoPoints);
-        }
-        let points: Vec<Vector<N>> = points.iter().map(|&point| point.into()).collect();
-        for (number, &point) in points.iter().enumerate() {
-            BodyError::check_point(number, point)?;
-        }
+        let points = BodyError::checked_points(points)?;
         Ok(Self::of_hull(&points, &(0..points.len()).collect::<Vec<_>>()))
     }
 

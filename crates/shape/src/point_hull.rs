@@ -27,14 +27,7 @@ impl<const N: usize> PointHull<N> {
     ///
     /// [`BodyError::NoPoints`] and [`BodyError::PointOutOfRange`].
     pub fn new(points: &[[f64; N]]) -> Result<Self, BodyError> {
-        if points.is_empty() {
-            return Err(BodyError::NoPoints);
-        }
-        let points: Vec<Vector<N>> = points.iter().map(|&point| point.into()).collect();
-        for (number, &point) in points.iter().enumerate() {
-            BodyError::check_point(number, point)?;
-        }
-        Ok(Self { points })
+        Ok(Self { points: BodyError::checked_points(points)? })
     }
 
     /// The hull given in the frame `pose`, written in the parent of `pose`.

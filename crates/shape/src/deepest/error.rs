@@ -35,6 +35,20 @@ pub enum BodyError {
 }
 
 impl BodyError {
+    /// The points, if there are any and all coordinates are in range.
+    pub(crate) fn checked_points<const N: usize>(
+        points: &[[f64; N]],
+    ) -> Result<Vec<Vector<N>>, BodyError> {
+        if points.is_empty() {
+            return Err(BodyError::NoPoints);
+        }
+        let points: Vec<Vector<N>> = points.iter().map(|&point| point.into()).collect();
+        for (number, &point) in points.iter().enumerate() {
+            Self::check_point(number, point)?;
+        }
+        Ok(points)
+    }
+
     /// Fails if the point with this number has a coordinate out of range.
     pub(crate) fn check_point<const N: usize>(
         number: usize,
