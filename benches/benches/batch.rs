@@ -6,7 +6,7 @@ use std::time::Duration;
 
 use clench::metrics::{EquivalentStiffness, Principal, Quality, WorstPoint};
 use clench::screw::{Stiffness, Vector, Wrench};
-use clench::shape::Extremes;
+use clench::shape::ExtremePoints;
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
 use rayon::prelude::*;
 
@@ -51,7 +51,7 @@ fn principal(fingers: &[Finger; 7]) -> Option<Principal<3, 3>> {
 
 fn batch(c: &mut Criterion) {
     let corner = |i: usize| [0, 1, 2].map(|axis| if i >> axis & 1 == 1 { 1.0 } else { -1.0 });
-    let cube = Extremes::new(&(0..8).map(corner).collect::<Vec<_>>()).unwrap();
+    let cube = ExtremePoints::new(&(0..8).map(corner).collect::<Vec<_>>()).unwrap();
     let mut group = c.benchmark_group("a million grasps of 7 contacts on 8 vertices");
     group.sample_size(10).warm_up_time(Duration::from_secs(1));
     group.throughput(Throughput::Elements(GRASPS));

@@ -6,7 +6,7 @@ use std::hint::black_box;
 use clench::contact::{Contact, Geometry, Law, Order};
 use clench::metrics::{EquivalentStiffness, Principal, Quality, WorstPoint};
 use clench::screw::Vector;
-use clench::shape::{Ellipsoid, Extent, Extremes, Polygon};
+use clench::shape::{Ellipsoid, Extent, ExtremePoints, Polygon};
 use clench::stiffness::Grasp;
 use criterion::{Criterion, criterion_group, criterion_main};
 
@@ -74,7 +74,7 @@ fn seven_on_a_cube() -> Grasp<3, 3> {
 fn spatial(c: &mut Criterion) {
     let grasp = seven_on_a_cube();
     let corner = |i: usize| [0, 1, 2].map(|axis| if i >> axis & 1 == 1 { 1.0 } else { -1.0 });
-    let cube = Extremes::new(&(0..8).map(corner).collect::<Vec<_>>()).unwrap();
+    let cube = ExtremePoints::new(&(0..8).map(corner).collect::<Vec<_>>()).unwrap();
     let known = principal(&grasp, Order::First);
     let mut group = c.benchmark_group("spatial grasp of 7 contacts on 8 vertices");
     group.bench_function("K to first order, twice", |b| {

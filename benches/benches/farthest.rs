@@ -5,7 +5,7 @@ use std::hint::black_box;
 
 use clench::metrics::{Principal, WorstPoint};
 use clench::screw::{Stiffness, Twist, Vector, Wrench};
-use clench::shape::{Extent, Extremes, Polygon};
+use clench::shape::{Extent, ExtremePoints, Polygon};
 use clench_testkit::Random;
 use criterion::{BenchmarkId, Criterion, criterion_group, criterion_main};
 
@@ -79,7 +79,7 @@ fn reach(c: &mut Criterion) {
     let mut group = c.benchmark_group("64 times on a hull in space");
     for vertices in [8, 100, 10_000] {
         let points = ellipsoid(vertices, r);
-        let hull = Extremes::new(&points).unwrap();
+        let hull = ExtremePoints::new(&points).unwrap();
         group.bench_with_input(BenchmarkId::new("fastest point", vertices), &hull, |b, hull| {
             let fastest = |twist| Extent::from(hull).fastest(Vector::ZERO, twist).value;
             b.iter(|| twists.iter().map(fastest).sum::<f64>());
@@ -97,7 +97,7 @@ fn reach(c: &mut Criterion) {
         });
         if vertices > 8 {
             group.bench_with_input(BenchmarkId::new("hull", vertices), &points, |b, points| {
-                b.iter(|| Extremes::new(black_box(points)).unwrap());
+                b.iter(|| ExtremePoints::new(black_box(points)).unwrap());
             });
         }
     }

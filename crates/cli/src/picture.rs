@@ -2,7 +2,7 @@
 
 use clench::optimize::polygon::Part;
 use clench::screw::Vector;
-use clench::shape::{Ellipsoid, Extreme, Polygon};
+use clench::shape::{Ellipsoid, Farthest, Polygon};
 use clench_draw::{Finger, GraspPicture, Mark};
 
 use crate::analyze::Analysis;
@@ -56,7 +56,7 @@ pub(crate) fn of_optimum(report: &OptimumReport<'_>, part: &Part) -> GraspPictur
         sigma_min: best.sigma_min,
         mu_eq: best.mu_eq,
         center: best.center_of_compliance,
-        farthest: Extreme {
+        farthest: Farthest {
             point: Vector::from_fn(|i| reach.point[i]),
             corner: reach.corner,
             value: reach.distance,
@@ -132,14 +132,14 @@ struct Numbers {
     sigma_min: f64,
     mu_eq: f64,
     center: [f64; 2],
-    farthest: Extreme<2>,
+    farthest: Farthest<2>,
     worst_point_stiffness: f64,
 }
 
 impl Numbers {
     fn drawn_on(&self, picture: GraspPicture, units: UnitNames<'_>) -> GraspPicture {
         let stiffness = |value: f64| units.stiffness(value);
-        let Extreme { point, corner, value: reach } = self.farthest;
+        let Farthest { point, corner, value: reach } = self.farthest;
         let to = corner.map_or_else(String::new, |corner| format!(", to corner {corner}"));
         let caption = vec![
             format!("Q = {}", stiffness(self.quality)),

@@ -71,7 +71,7 @@ impl<const N: usize, const M: usize> Principal<N, M> {
 }
 
 impl Principal<3, 3> {
-    /// The center of stiffness of Loncaric: the point about which `K_12` is symmetric.
+    /// The center of stiffness [Loncaric]: the point about which `K_12` is symmetric.
     ///
     /// Not the canonical point and not the center of compliance: all three are one point only where
     /// there is a center of compliance [`Self::center_of_compliance`].
@@ -79,14 +79,14 @@ impl Principal<3, 3> {
     pub fn loncaric_center_of_stiffness(&self) -> Vector<3> {
         // About the canonical point K_12 = -K_11 S, and (tr K_11 - K_11) c = -2 vee skew K_12.
         let sigma = self.translational();
-        let stiffness = recomposed(sigma, |value| value);
+        let stiffness = sigma.map(|value| value);
         let skew = lever_center(&(stiffness * self.pitch_tensor()));
         self.center() + solved(sigma, |value| value, skew * 2.0)
     }
 
-    /// The center of compliance of Loncaric: the point about which `C_12` is symmetric.
+    /// The center of compliance [Loncaric]: the point about which `C_12` is symmetric.
     ///
-    /// It exists always, other than [`Self::center_of_compliance`], where `C_12` is zero.
+    /// It always exists, unlike [`Self::center_of_compliance`], about which `C_12` is zero.
     #[must_use]
     pub fn loncaric_center_of_compliance(&self) -> Vector<3> {
         // About the canonical point C_12 = S C_22, and (tr C_22 - C_22) c = 2 vee skew C_12.
@@ -94,12 +94,6 @@ impl Principal<3, 3> {
         let skew = lever_center(&(self.pitch_tensor() * self.rotational_compliance()));
         self.center() + solved(mu, f64::recip, skew * 2.0)
     }
-}
-
-/// The matrix with the given function of the eigenvalues.
-fn recomposed(eigen: &SymmetricEigen<3>, value: impl Fn(f64) -> f64) -> Mat<3, 3> {
-    let pairs = eigen.values.iter().zip(&eigen.vectors);
-    pairs.fold(Mat::ZERO, |sum, (&x, &v)| sum + Mat::outer(v, v) * value(x))
 }
 
 /// The solution `x` of `(tr A - A) x = b` for the matrix `A` with the given function of the

@@ -60,6 +60,8 @@ pub(crate) fn largest_norm<const N: usize>(
         let Some(top) = heap.pop() else { break };
         best.bound = top.bound;
         if top.bound <= best.value * (1.0 + PROVED) {
+            // Proved, to rounding.
+            best.bound = best.value;
             break;
         }
         let (one, other) = top.longest_edge();
@@ -69,7 +71,8 @@ pub(crate) fn largest_norm<const N: usize>(
         for replaced in [one, other] {
             let Simplex { mut corners, mut values, .. } = top;
             (corners[replaced], values[replaced]) = (middle, value);
-            heap.push(Simplex::new(corners, values));
+            let half = Simplex::new(corners, values);
+            heap.push(Simplex { bound: half.bound.min(top.bound), ..half });
         }
     }
     best.bound = best.bound.max(best.value);

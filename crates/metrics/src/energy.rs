@@ -67,7 +67,7 @@ impl<const N: usize, const M: usize> Principal<N, M> {
     #[must_use]
     pub fn wrench_section(&self, force: Vector<N>) -> Option<EnergyEllipsoid<M>> {
         let left = DOUBLED_ENERGY - force.dot(*self.translational_compliance() * force);
-        let center = self.rotationless_wrench(force).torque;
+        let center = self.rotation_free_wrench(force).torque;
         ellipsoid(center, self.rotational(), left, |energy, mu| (energy * mu).sqrt())
     }
 
@@ -97,7 +97,7 @@ impl<const N: usize, const M: usize> Principal<N, M> {
             semi_axes: self.translational().values.map(|sigma| (DOUBLED_ENERGY / sigma).sqrt()),
             directions: self.translational().vectors,
         };
-        let turned = self.forceless_twist(self.displacement_projection().point(about));
+        let turned = self.force_free_twist(self.displacement_projection().point(about));
         Twist { linear: turned.linear + flat.point(along), ..turned }
     }
 
@@ -113,7 +113,7 @@ impl<const N: usize, const M: usize> Principal<N, M> {
             semi_axes: self.rotational().values.map(|mu| (DOUBLED_ENERGY * mu).sqrt()),
             directions: self.rotational().vectors,
         };
-        let pushed = self.rotationless_wrench(self.wrench_projection().point(along));
+        let pushed = self.rotation_free_wrench(self.wrench_projection().point(along));
         Wrench { torque: pushed.torque + flat.point(about), ..pushed }
     }
 }

@@ -1,7 +1,7 @@
 //! Rotations made comparable to translations.
 
 use clench_screw::Vector;
-use clench_shape::{Extent, Extreme};
+use clench_shape::{Extent, Farthest};
 
 use crate::softness::Softness;
 use crate::{MetricsError, Principal};
@@ -10,37 +10,29 @@ use crate::{MetricsError, Principal};
 /// this stiffness stretched by the body's deflection [LBR, eqs. 13 and 15].
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct EquivalentStiffness<const N: usize, const M: usize> {
-    /// `mu_eq = omega^T K_V omega / (rho_max^2 + h^2)` (force / length).
+    /// `mu_eq = omega^T K_V omega / (rho_max^2 + h^2)` (force / length); infinite for a rotation
+    /// that moves no point of the body.
     pub value: f64,
-    /// What no rotation of those that were compared has less than: the value itself, but on an
-    /// ellipsoid with repeated stiffnesses what a search could prove.
+    /// A proved lower bound for the rotations that were compared: the value itself, but on an
+    /// ellipsoid, where several are compared, what a search could prove.
     pub at_least: f64,
     /// The unit rotation `omega`: a principal one, or the softest of those that were compared.
     pub rotation: Vector<M>,
     /// The pitch `h` of the force-free twist that turns so (length per rad); 0 in the plane.
     pub pitch: f64,
     /// The point that this twist moves most, and how far, the *deflection* (length per rad).
-    pub farthest: Extreme<N>,
-    /// How many principal rotations were compared: 1, or more where their stiffness is repeated.
+    pub farthest: Farthest<N>,
+    /// How many principal rotations, with all between them, were compared: the multiplicity of a
+    /// principal stiffness; for [`Self::least`] all.
     pub multiplicity: usize,
 }
 
 impl<const N: usize, const M: usize> EquivalentStiffness<N, M> {
-    /// A value to be overwritten.
-    pub(crate) const UNKNOWN: Self = Self {
-        value: f64::NAN,
-        at_least: f64::NAN,
-        rotation: Vector::ZERO,
-        pitch: 0.0,
-        farthest: Extreme { point: Vector::ZERO, corner: None, value: 0.0 },
-        multiplicity: 0,
-    };
-
     /// The least of all rotations that need no force: `Q_V` (force / length).
     ///
     /// `Q_V = min over x of 1 / lambda_max(X(x) K_V^-1 X(x)^T)`, `X(x) = P_1 - lever(x)`, for the
-    /// points `x` of the body. Other than [`crate::Quality`] it is continuous in the grasp. In the
-    /// plane it is `mu_eq`.
+    /// points `x` of the body. Unlike [`crate::Quality`] it is continuous in the grasp. In the plane it
+    /// is `mu_eq`.
     ///
     /// # Errors
     ///
@@ -76,7 +68,7 @@ impl<const N: usize, const M: usize> EquivalentStiffness<N, M> {
         let rotation = turned.unwrap_or(mu.vectors[first]);
         let twist = principal.near_twist(rotation);
         let speed = twist.velocity_at(softest.point - principal.origin()).norm();
-        let farthest = Extreme { point: softest.point, corner: softest.corner, value: speed };
+        let farthest = Farthest { point: softest.point, corner: softest.corner, value: speed };
         let found = Self {
             value: softest.compliance.recip(),
             at_least: softest.bound.recip(),
@@ -104,7 +96,7 @@ impl<const N: usize, const M: usize> EquivalentStiffness<N, M> {
     }
 
     fn finite(self) -> Result<Self, MetricsError> {
-        if self.value > 0.0 && self.value.is_finite() {
+        if self.value > 0.0 && self.farthest.value.is_finite() {
             return Ok(self);
         }
         Err(MetricsError::OutOfRange { stiffness: self.value, deflection: self.farthest.value })

@@ -1,25 +1,26 @@
 //! Why a stiffness has no principal parameters.
 
-use clench_screw::ScrewError;
+use clench_screw::{Axis, ScrewError, Vector};
 
 /// What a stiffness lacks.
 ///
-/// Directions are those of the frame that the stiffness is written in, padded with zeros in the
-/// plane.
+/// Directions and axes are those of the frame that the stiffness is written in, and of space: the
+/// plane is the slice z = 0.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum MetricsError {
-    /// An entry of a block of the stiffness is infinite or not a number.
+    /// An entry of `K_11` or of `K_V`, which all blocks enter, is infinite or not a number.
     #[error("the stiffness has no principal parameters: {0}")]
     NotFinite(#[from] ScrewError),
     /// The body is free to translate, or pushed away when it does.
     #[error(
-        "the body is not held against translation along {direction:?}: \
-         the stiffness there is {value:e}, the largest is {largest:e}"
+        "the body is not held against translation along {:?}: \
+         the stiffness there is {value:e}, the largest is {largest:e}",
+        direction.to_array()
     )]
     TranslationNotHeld {
         /// Unit direction.
-        direction: [f64; 3],
+        direction: Vector<3>,
         /// The principal translational stiffness along it (force / length).
         value: f64,
         /// The largest principal translational stiffness.
@@ -27,17 +28,15 @@ pub enum MetricsError {
     },
     /// The body is free to rotate, or pushed away when it does.
     #[error(
-        "the body is not held against rotation about {axis:?} through {point:?}: \
-         the stiffness there is {value:e}, which is below the rounding error of {scale:e}"
+        "the body is not held against rotation about {:?} through {:?}: \
+         the stiffness there is {value:e}, which is below the rounding error of {scale:e}",
+        axis.direction.to_array(),
+        axis.point.to_array()
     )]
     RotationNotHeld {
-        /// Unit direction of the rotation; in the plane `[0, 0, 1]`.
-        axis: [f64; 3],
-        /// The point of the axis nearest to the frame's origin, about which the body would turn;
-        /// in the plane the center of compliance.
-        point: [f64; 3],
-        /// How far the body would move along the axis per turn of one radian (length).
-        pitch: f64,
+        /// The axis about which the body would turn, with its pitch; in the plane along z through
+        /// the center of compliance.
+        axis: Axis,
         /// The principal rotational stiffness (force * length).
         value: f64,
         /// The rotational stiffness felt at the origin of the computation.

@@ -47,7 +47,7 @@ mod error;
 pub use energy::EnergyEllipsoid;
 pub use equivalent::EquivalentStiffness;
 pub use error::MetricsError;
-pub use load::Deflection;
+pub use load::Displacement;
 pub use principal::Principal;
 pub use quality::{LimitedBy, Quality, REPEATED};
 pub use worst_point::WorstPoint;

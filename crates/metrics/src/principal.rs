@@ -40,7 +40,7 @@ impl<const N: usize, const M: usize> Principal<N, M> {
     /// [`MetricsError`] names what is not held, when the stiffness is not positive definite.
     pub fn of(origin: Vector<N>, stiffness: &Stiffness<N, M>) -> Result<Self, MetricsError> {
         let translational = translational(stiffness)?;
-        let compliance = inverse(&translational);
+        let compliance = translational.map(f64::recip);
         let scale = stiffness.rotational.trace().abs();
         Self::scaled(origin, stiffness, translational, compliance, scale)
     }
@@ -60,7 +60,7 @@ impl<const N: usize, const M: usize> Principal<N, M> {
         let rough = stiffness_about(start);
         let translational = translational(&rough)?;
         // The translational block is the same about every origin.
-        let compliance = inverse(&translational);
+        let compliance = translational.map(f64::recip);
         let center = start + lever_center(&(compliance * rough.coupling * -1.0));
         let scale = rough.rotational.trace().abs();
         Self::scaled(center, &stiffness_about(center), translational, compliance, scale)
@@ -90,13 +90,7 @@ impl<const N: usize, const M: usize> Principal<N, M> {
             return Ok(principal);
         }
         let axis = principal.twist_axes()[0];
-        Err(MetricsError::RotationNotHeld {
-            axis: axis.direction.to_array(),
-            point: axis.point.to_array(),
-            pitch: axis.pitch,
-            value,
-            scale,
-        })
+        Err(MetricsError::RotationNotHeld { axis, value, scale })
     }
 
     /// The principal translational stiffnesses `sigma_i` (force / length), ascending, and their
@@ -136,24 +130,25 @@ impl<const N: usize, const M: usize> Principal<N, M> {
     /// The twist, about the frame's origin, that turns by `rotation` and needs no force: the
     /// element `P omega` of `V` [LBR, eq. 9].
     #[must_use]
-    pub fn forceless_twist(&self, rotation: Vector<M>) -> Twist<N, M> {
+    pub fn force_free_twist(&self, rotation: Vector<M>) -> Twist<N, M> {
         Twist { linear: self.twist_map() * rotation, angular: rotation }
     }
 
     /// The wrench, about the frame's origin, that has the given `force` and turns nothing: the
     /// element `Q f` of `W` [LBR, eq. 11].
     #[must_use]
-    pub fn rotationless_wrench(&self, force: Vector<N>) -> Wrench<N, M> {
+    pub fn rotation_free_wrench(&self, force: Vector<N>) -> Wrench<N, M> {
         Wrench { force, torque: -(self.twist_map().transpose() * force) }
     }
 
-    /// The displacement by an external `load`, both about the frame's origin: `q = C w`.
+    /// The displacement by an external `load`, both about `origin`: `q = C w`.
     ///
     /// By the blocks of `C`, about the point where they decouple: the rotation that the torque
-    /// causes, with what it carries along, and the translation that the force causes.
+    /// causes, with what it carries along, and the translation that the force causes. An origin
+    /// near the body loses nothing; one `d` body lengths away about `d` units of rounding.
     #[must_use]
-    pub fn displacement(&self, load: &Wrench<N, M>) -> Twist<N, M> {
-        let near = Frame::at(self.origin);
+    pub fn displacement(&self, origin: Vector<N>, load: &Wrench<N, M>) -> Twist<N, M> {
+        let near = Frame::at(self.origin - origin);
         let Wrench { force, torque } = load.in_frame(&near);
         let torque = torque + self.twist_map.transpose() * force;
         let angular = self.rotational_compliance() * torque;
@@ -169,18 +164,28 @@ impl<const N: usize, const M: usize> Principal<N, M> {
         self.translational_compliance + x * self.rotational_compliance() * x.transpose()
     }
 
-    /// The same parameters with all points, twists and wrenches counted from `point`.
+    /// The same parameters, given in the parent of `frame`, written in `frame`: points from its
+    /// origin, directions and matrices along its axes.
     #[must_use]
-    pub fn about(&self, point: Vector<N>) -> Self {
-        Self { origin: self.origin - point, ..*self }
+    pub fn in_frame(&self, frame: &Frame<N, M>) -> Self {
+        let (axes, spin) = (frame.axes(), frame.spin());
+        Self {
+            origin: frame.point_in_frame(self.origin),
+            translational: self.translational.in_basis(axes),
+            rotational: self.rotational.in_basis(spin),
+            translational_compliance: axes.transpose() * self.translational_compliance * *axes,
+            restricted: spin.transpose() * self.restricted * *spin,
+            twist_map: axes.transpose() * self.twist_map * *spin,
+            scale: self.scale,
+        }
     }
 
     /// `K_V^-1` (rad per force * length).
     pub(crate) fn rotational_compliance(&self) -> Mat<M, M> {
-        inverse(&self.rotational)
+        self.rotational.map(f64::recip)
     }
 
-    /// [`Self::forceless_twist`], about the origin of the computation.
+    /// [`Self::force_free_twist`], about the origin of the computation.
     pub(crate) fn near_twist(&self, rotation: Vector<M>) -> Twist<N, M> {
         Twist { linear: self.twist_map * rotation, angular: rotation }
     }
@@ -213,12 +218,6 @@ fn translational<const N: usize, const M: usize>(
     if value > ZERO_STIFFNESS * largest {
         return Ok(eigen);
     }
-    let direction = eigen.vectors[0].in_space().to_array();
+    let direction = eigen.vectors[0].in_space();
     Err(MetricsError::TranslationNotHeld { direction, value, largest })
-}
-
-/// The inverse of a matrix from its eigenvalues.
-fn inverse<const D: usize>(eigen: &SymmetricEigen<D>) -> Mat<D, D> {
-    let pairs = eigen.values.iter().zip(&eigen.vectors);
-    pairs.fold(Mat::ZERO, |sum, (value, &v)| sum + Mat::outer(v, v) * value.recip())
 }

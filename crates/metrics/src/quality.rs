@@ -4,11 +4,15 @@ use clench_shape::Extent;
 
 use crate::{EquivalentStiffness, MetricsError, Principal};
 
-/// Principal rotational stiffnesses whose gap is at most this part of the largest count as one,
-/// repeated: their directions are then determined by rounding.
+/// Principal stiffnesses whose gap is at most this part of the largest count as one, repeated, and
+/// so does a chain of such gaps.
+///
+/// Their directions are good to the rounding of the stiffness divided by the gap: at this gap to
+/// seven digits in a stiffness formed near the body, and hardly at all in one that is given in a
+/// frame a hundred body lengths away.
 pub const REPEATED: f64 = 1e-9;
 
-/// Which principal stiffness is the smallest, made comparable by the body's reach.
+/// Which stiffness is the smallest, rotations made comparable by the body's deflection.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum LimitedBy {
     /// `sigma_min`.
@@ -47,10 +51,10 @@ impl<const N: usize, const M: usize> Quality<N, M> {
     /// ```
     /// use clench_metrics::{LimitedBy, Principal, Quality};
     /// use clench_screw::{Mat, Vector, spatial::Stiffness};
-    /// use clench_shape::Extremes;
+    /// use clench_shape::ExtremePoints;
     /// // A cube of side 2, held at its center: 3 against translations, 4 against rotations.
     /// let corner = |i: i32| [0, 1, 2].map(|axis| f64::from(i >> axis & 1) * 2.0 - 1.0);
-    /// let cube = Extremes::new(&[0, 1, 2, 3, 4, 5, 6, 7].map(corner))?;
+    /// let cube = ExtremePoints::new(&[0, 1, 2, 3, 4, 5, 6, 7].map(corner))?;
     /// let stiffness = Stiffness {
     ///     translational: Mat::IDENTITY * 3.0,
     ///     coupling: Mat::ZERO,
@@ -67,40 +71,25 @@ impl<const N: usize, const M: usize> Quality<N, M> {
     ///
     /// # Errors
     ///
-    /// [`MetricsError::OutOfRange`] when sizes are so unlike that numbers overflow, or no rotation
-    /// moves the body.
+    /// [`MetricsError::OutOfRange`] when sizes are so unlike that numbers overflow.
     pub fn of<'a>(
         principal: &Principal<N, M>,
         body: impl Into<Extent<'a, N>>,
     ) -> Result<Self, MetricsError> {
-        Self::with_repeated_within(REPEATED, principal, body)
-    }
-
-    /// The quality, where principal rotational stiffnesses count as repeated if their gap is at
-    /// most the part `tolerance` of the largest, instead of [`REPEATED`].
-    ///
-    /// # Errors
-    ///
-    /// As [`Self::of`].
-    pub fn with_repeated_within<'a>(
-        tolerance: f64,
-        principal: &Principal<N, M>,
-        body: impl Into<Extent<'a, N>>,
-    ) -> Result<Self, MetricsError> {
         let (body, mu) = (body.into(), &principal.rotational().values);
-        let gap = tolerance * mu[M - 1];
-        let mut rotations = [EquivalentStiffness::UNKNOWN; M];
-        let (mut first, mut degenerate) = (0, false);
+        let end_of = |first: usize| {
+            let repeated = |next: &usize| mu[*next] - mu[*next - 1] <= REPEATED * mu[M - 1];
+            first + 1 + (first + 1..M).take_while(repeated).count()
+        };
+        let among = |first| EquivalentStiffness::among(principal, first, end_of(first), body);
+        let mut rotations = [among(0)?; M];
+        let mut first = end_of(0);
         while first < M {
-            let mut end = first + 1;
-            while end < M && mu[end] - mu[end - 1] <= gap {
-                end += 1;
-            }
-            let found = EquivalentStiffness::among(principal, first, end, body)?;
-            rotations[first..end].fill(found);
-            degenerate |= end > first + 1;
+            let end = end_of(first);
+            rotations[first..end].fill(among(first)?);
             first = end;
         }
+        let degenerate = rotations.iter().any(|rotation| rotation.multiplicity > 1);
         let translational = principal.translational().values[0];
         let (value, limited_by) = (translational, LimitedBy::Translation);
         let quality = Self { value, limited_by, translational, rotations, degenerate };
@@ -109,6 +98,13 @@ impl<const N: usize, const M: usize> Quality<N, M> {
             return Ok(quality);
         }
         Ok(Self { value: equivalent, limited_by: LimitedBy::Rotation, ..quality })
+    }
+
+    /// A proved lower bound of the quality: its value, but on an ellipsoid with repeated rotational
+    /// stiffnesses what a search could prove (force / length).
+    #[must_use]
+    pub fn at_least(&self) -> f64 {
+        self.rotations.iter().fold(self.translational, |least, r| least.min(r.at_least))
     }
 
     /// The least equivalent stiffness (force / length).

@@ -1,7 +1,7 @@
 //! Where a body gives way most: the largest of a compliance over its points and directions.
 
 use clench_screw::{Mat, SymmetricEigen, Vector, Wrench, lever};
-use clench_shape::{Extent, Extreme};
+use clench_shape::{Extent, Farthest};
 
 use crate::directions::{Largest, largest_norm};
 use crate::{MetricsError, Principal};
@@ -31,9 +31,9 @@ pub(crate) struct Softest<const N: usize> {
 }
 
 impl<const N: usize> Softest<N> {
-    fn new(found: Extreme<N>, eigen: &SymmetricEigen<N>) -> Self {
+    fn new(found: Farthest<N>, eigen: &SymmetricEigen<N>) -> Self {
         let (compliance, direction) = (eigen.values[N - 1], eigen.vectors[N - 1]);
-        let Extreme { point, corner, .. } = found;
+        let Farthest { point, corner, .. } = found;
         Self { point, corner, direction, compliance, bound: compliance }
     }
 }
@@ -59,7 +59,7 @@ impl<'a, const N: usize, const M: usize> Softness<'a, N, M> {
     /// to place no faster than `G`.
     pub(crate) fn largest(&self, body: Extent<'_, N>) -> Result<Softest<N>, MetricsError> {
         match body {
-            Extent::Extremes(extremes) => {
+            Extent::Points(extremes) => {
                 let largest = |x: Vector<N>, floor: f64| self.largest_above(x, floor);
                 self.at(extremes.farthest_by(self.growth, largest))
             }
@@ -93,7 +93,7 @@ impl<'a, const N: usize, const M: usize> Softness<'a, N, M> {
         SymmetricEigen::largest_value(&matrix).unwrap_or(f64::NAN)
     }
 
-    fn at(&self, found: Extreme<N>) -> Result<Softest<N>, MetricsError> {
+    fn at(&self, found: Farthest<N>) -> Result<Softest<N>, MetricsError> {
         let eigen = SymmetricEigen::beside_largest(&self.matrix(found.point));
         let overflow = MetricsError::OutOfRange { stiffness: 0.0, deflection: f64::INFINITY };
         eigen.map(|eigen| Softest::new(found, &eigen)).map_err(|_| overflow)
@@ -118,7 +118,7 @@ impl<'a, const N: usize, const M: usize> Softness<'a, N, M> {
 
     /// The point `x` with the largest `|G(x)^T u|`: `G^T u = spread^T (P_1^T u + y x u)` with `y`
     /// from the near origin to `x`.
-    fn farthest_along(&self, body: Extent<'_, N>, u: Vector<N>) -> Extreme<N> {
+    fn farthest_along(&self, body: Extent<'_, N>, u: Vector<N>) -> Farthest<N> {
         let spread = self.spread.transpose();
         let offset = spread * (self.principal.near_map().transpose() * u);
         let axes: [Vector<M>; N] = std::array::from_fn(|j| {

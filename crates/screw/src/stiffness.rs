@@ -27,6 +27,27 @@ impl<const N: usize, const M: usize> Stiffness<N, M> {
     pub const ZERO: Self =
         Self { translational: Mat::ZERO, coupling: Mat::ZERO, rotational: Mat::ZERO };
 
+    /// The stiffness whose full `(N + M)` x `(N + M)` matrix has the entry `entry(i, j)` in row `i`
+    /// and column `j`: translations first, then rotations.
+    ///
+    /// The matrix is symmetric: the lower left block is not asked for, and what asymmetry the
+    /// blocks on the diagonal have, metrics leave out.
+    ///
+    /// ```
+    /// use clench_screw::planar::Stiffness;
+    /// let rows = [[1.7, 0.1, -8.8], [0.1, 2.3, 13.6], [-8.8, 13.6, 218.8]];
+    /// let stiffness = Stiffness::from_fn(|i, j| rows[i][j]);
+    /// assert_eq!((stiffness.coupling[1][0], stiffness.entry(2, 1)), (13.6, 13.6));
+    /// ```
+    #[must_use]
+    pub fn from_fn(entry: impl Fn(usize, usize) -> f64) -> Self {
+        Self {
+            translational: Mat::from_fn(&entry),
+            coupling: Mat::from_fn(|i, j| entry(i, N + j)),
+            rotational: Mat::from_fn(|i, j| entry(N + i, N + j)),
+        }
+    }
+
     /// `w w^T`: the stiffness of one unit spring that pushes with the wrench `w`.
     #[must_use]
     pub fn outer(w: &Wrench<N, M>) -> Self {

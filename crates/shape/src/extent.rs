@@ -2,11 +2,11 @@
 
 use clench_screw::{Mat, Twist, Vector};
 
-use crate::{Ellipsoid, Extreme, Extremes, Polygon, Polyhedron};
+use crate::{Ellipsoid, ExtremePoints, Farthest, Polygon, Polyhedron};
 
 /// What decides how far a body reaches: its extreme points, or that it is an ellipsoid.
 ///
-/// Made from a reference to a [`Polygon`], a [`Polyhedron`], an [`Ellipsoid`] or [`Extremes`] of
+/// Made from a reference to a [`Polygon`], a [`Polyhedron`], an [`Ellipsoid`] or [`ExtremePoints`] of
 /// one's own.
 ///
 /// ```
@@ -22,7 +22,7 @@ use crate::{Ellipsoid, Extreme, Extremes, Polygon, Polyhedron};
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Extent<'a, const N: usize> {
     /// The hull of points.
-    Extremes(&'a Extremes<N>),
+    Points(&'a ExtremePoints<N>),
     /// An ellipse or ellipsoid.
     Ellipsoid(&'a Ellipsoid<N>),
 }
@@ -34,27 +34,27 @@ impl<const N: usize> Extent<'_, N> {
     /// For a unit rotation it is the root of `rho_max^2 + h^2`, with the pitch `h` and the largest
     /// distance `rho_max` from the axis.
     #[must_use]
-    pub fn fastest<const M: usize>(&self, origin: Vector<N>, twist: &Twist<N, M>) -> Extreme<N> {
+    pub fn fastest<const M: usize>(&self, origin: Vector<N>, twist: &Twist<N, M>) -> Farthest<N> {
         let gradient = twist.velocity_gradient();
         self.image(origin, twist.linear, &gradient, twist.angular.norm())
     }
 
     /// The point farthest from `point`, and its distance (length).
     #[must_use]
-    pub fn farthest(&self, point: Vector<N>) -> Extreme<N> {
+    pub fn farthest(&self, point: Vector<N>) -> Farthest<N> {
         self.image(point, Vector::ZERO, &Mat::<N, N>::IDENTITY, 1.0)
     }
 
     /// The point `x` at which `|offset + map (x - origin)|` is largest, and that length.
     ///
-    /// Cost: on points that of [`Extremes::farthest_by`], on an ellipsoid O(1).
+    /// Cost: on points that of [`ExtremePoints::farthest_by`], on an ellipsoid O(1).
     #[must_use]
     pub fn farthest_image<const R: usize>(
         &self,
         origin: Vector<N>,
         offset: Vector<R>,
         map: &Mat<R, N>,
-    ) -> Extreme<N> {
+    ) -> Farthest<N> {
         self.image(origin, offset, map, frobenius(map))
     }
 
@@ -65,9 +65,9 @@ impl<const N: usize> Extent<'_, N> {
         offset: Vector<R>,
         map: &Mat<R, N>,
         growth: f64,
-    ) -> Extreme<N> {
+    ) -> Farthest<N> {
         match self {
-            Self::Extremes(extremes) => {
+            Self::Points(extremes) => {
                 let image = |x: Vector<N>| offset + *map * (x - origin);
                 extremes.farthest_by(growth, |x, _| image(x).norm_squared())
             }
@@ -83,19 +83,19 @@ fn frobenius<const R: usize, const C: usize>(map: &Mat<R, C>) -> f64 {
 
 impl<'a> From<&'a Polygon> for Extent<'a, 2> {
     fn from(outline: &'a Polygon) -> Self {
-        Self::Extremes(outline.extremes())
+        Self::Points(outline.extreme_points())
     }
 }
 
 impl<'a> From<&'a Polyhedron> for Extent<'a, 3> {
     fn from(solid: &'a Polyhedron) -> Self {
-        Self::Extremes(solid.extremes())
+        Self::Points(solid.extreme_points())
     }
 }
 
-impl<'a, const N: usize> From<&'a Extremes<N>> for Extent<'a, N> {
-    fn from(extremes: &'a Extremes<N>) -> Self {
-        Self::Extremes(extremes)
+impl<'a, const N: usize> From<&'a ExtremePoints<N>> for Extent<'a, N> {
+    fn from(extremes: &'a ExtremePoints<N>) -> Self {
+        Self::Points(extremes)
     }
 }
 

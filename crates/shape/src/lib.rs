@@ -15,7 +15,7 @@
 //! | the geometric center and radius | [`Polygon::enclosing_circle`] |
 //! | how far the part reaches from a point, `rho_max` | [`Polygon::farthest`] |
 //! | how far a motion takes any body, its *deflection* | [`Extent::fastest`] |
-//! | where anything convex is largest over a body | [`Extremes::farthest_by`] |
+//! | where anything convex is largest over a body | [`ExtremePoints::farthest_by`] |
 //! | the same along a segment, piece by piece | [`Polygon::farthest_along`] |
 //! | the regions with one farthest corner, `R_i` | [`Polygon::partition`] |
 //!
@@ -54,7 +54,7 @@ mod place;
 
 mod circle;
 mod extent;
-mod extremes;
+mod extreme_points;
 mod reach;
 mod stretch;
 
@@ -89,7 +89,7 @@ pub use edge::Edge;
 pub use ellipsoid::{Ellipsoid, EllipsoidError, LARGEST_ASPECT};
 pub use error::PolygonError;
 pub use extent::Extent;
-pub use extremes::{Extreme, Extremes};
+pub use extreme_points::{ExtremePoints, Farthest};
 pub use partition::{FarthestPartition, Region};
 pub use place::Place;
 pub use point_hull::PointHull;

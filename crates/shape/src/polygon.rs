@@ -7,7 +7,7 @@ use crate::place::nearest_place;
 use crate::predicates::turn;
 use crate::triangulation::Triangulation;
 use crate::validity::checked_hull;
-use crate::{Circle, Edge, Extremes, FarthestPartition, Place, PolygonError, Reach, Stretch};
+use crate::{Circle, Edge, ExtremePoints, FarthestPartition, Place, PolygonError, Reach, Stretch};
 
 /// The direction in which an outline lists its corners.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -40,7 +40,7 @@ pub struct Polygon {
     hull: Vec<usize>,
     partition: FarthestPartition,
     circle: Circle,
-    extremes: Extremes<2>,
+    extremes: ExtremePoints<2>,
 }
 
 impl Polygon {
@@ -64,7 +64,7 @@ impl Polygon {
         let center = smallest_center(&sites, &mesh);
         let partition = FarthestPartition::new(&hull, sites, &mesh);
         let circle = Circle { center, radius: partition.farthest(center).distance };
-        let extremes = Extremes::of_points(&corners, hull.clone());
+        let extremes = ExtremePoints::of_points(&corners, hull.clone());
         Ok(Self { corners, winding, edges, hull, partition, circle, extremes })
     }
 
@@ -96,7 +96,7 @@ impl Polygon {
 
     /// The corners of the convex hull, for how far the part reaches.
     #[must_use]
-    pub fn extremes(&self) -> &Extremes<2> {
+    pub fn extreme_points(&self) -> &ExtremePoints<2> {
         &self.extremes
     }
 

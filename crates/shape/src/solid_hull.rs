@@ -3,16 +3,17 @@
 use clench_screw::Vector;
 use robust::{Coord3D, orient3d};
 
+use crate::predicates::unit_scale;
+
 /// The numbers of the extreme points, ascending; all numbers if the points are in one plane.
 ///
-/// Quickhull with exact predicates: of equal points one is extreme, and none within an edge or a
-/// face of the hull is. The hulls of libraries decide with tolerances: the one of parry loses a
-/// millionth of the radius on a cylinder of 10,000 points, and the ends of needles.
+/// Quickhull [Barber, Dobkin and Huhdanpaa] with exact predicates: of equal points one is extreme, and none within an edge or a
+/// face of the hull is. The hulls of libraries decide with tolerances: the one of parry loses
+/// some millionths of the radius on a cylinder of 10,000 points, and the ends of needles.
 pub(crate) fn extreme_points(points: &[Vector<3>]) -> Vec<usize> {
     let largest = points.iter().fold(0.0_f64, |m, p| m.max(p.max_abs()));
-    // A power of two, so that nothing is rounded and no product leaves the range of numbers.
-    let scale = f64::from_bits((largest.to_bits() >> 52) << 52).recip();
-    let scale = if scale.is_finite() { scale } else { 1.0 };
+    // Nothing is rounded, and no product leaves the range of numbers.
+    let scale = if largest.is_normal() { unit_scale(largest) } else { 1.0 };
     let sites = points.iter().map(|p| p.to_array().map(|x| x * scale)).collect();
     let Some(mut hull) = Hull::of_tetrahedron(sites) else {
         return (0..points.len()).collect();

@@ -1,5 +1,6 @@
 //! What a displacement does to the contact forces.
 
+use clench_contact::Contact;
 use clench_screw::{Twist, Vector};
 
 use crate::Grasp;
@@ -22,8 +23,9 @@ impl<const N: usize, const M: usize> Grasp<N, M> {
     /// The change of each contact force by a small `displacement` of the body about `origin`
     /// (force): `f' grad(delta) . q`.
     ///
-    /// Positive where the part is pressed on the finger. As far as the displacement follows from a
-    /// load to first order, the changes balance it. What is nothing but rounding is 0.
+    /// Positive where the part is pressed on the finger. They balance that part of a load that the
+    /// stiffness to first order takes up; preloads that turn with the contacts take the rest. What
+    /// is nothing but rounding is 0.
     ///
     /// ```
     /// use clench_contact::{Contact, Geometry, Law};
@@ -39,42 +41,36 @@ impl<const N: usize, const M: usize> Grasp<N, M> {
     /// let changes = grasp.force_changes(Vector::ZERO, &right);
     /// assert_eq!(changes, [-0.5, 0.5]);
     /// // Four times as far, the left finger has lost its preload.
-    /// let first = grasp.first_to_lift_off(Vector::ZERO, &right);
+    /// let first = grasp.first_to_lift_off(&changes);
     /// assert_eq!(first, Some(LiftOff { contact: 0, load_factor: 4.0 }));
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     #[must_use]
     pub fn force_changes(&self, origin: Vector<N>, displacement: &Twist<N, M>) -> Vec<f64> {
-        self.changes(origin, displacement).collect()
-    }
-
-    /// The contact that lifts off first when the load that causes `displacement` grows; the one
-    /// with the lowest number of several. `None` if no contact loses force.
-    ///
-    /// As far as forces change in proportion to the load. Laws that stiffen with the force, such as
-    /// Hertz', hold on to larger loads.
-    #[must_use]
-    pub fn first_to_lift_off(
-        &self,
-        origin: Vector<N>,
-        displacement: &Twist<N, M>,
-    ) -> Option<LiftOff> {
-        let losing =
-            self.changes(origin, displacement).enumerate().filter(|(_, change)| *change < 0.0);
-        let factors = losing.map(|(contact, change)| LiftOff {
-            contact,
-            load_factor: self.contacts()[contact].preload() / -change,
-        });
-        factors.min_by(|a, b| a.load_factor.total_cmp(&b.load_factor))
-    }
-
-    fn changes(&self, origin: Vector<N>, displacement: &Twist<N, M>) -> impl Iterator<Item = f64> {
         let [shift, turn] = [displacement.linear.norm(), displacement.angular.norm()];
-        self.contacts().iter().map(move |contact| {
+        let change = |contact: &Contact<N, M>| {
             let overlap = contact.overlap();
             let deeper = displacement.power(&overlap.gradient(origin));
             let terms = shift + turn * (overlap.point() - origin).norm();
             if deeper.abs() <= NO_CHANGE * terms { 0.0 } else { contact.slope() * deeper }
-        })
+        };
+        self.contacts().iter().map(change).collect()
+    }
+
+    /// The contact that lifts off first when the load grows that causes these
+    /// [`force_changes`](Self::force_changes); the one with the lowest number of several. `None` if
+    /// no contact loses force.
+    ///
+    /// As far as forces change in proportion to the load. A law that stiffens with the force, such
+    /// as Hertz', holds on to larger loads; one that softens, a power below 1, lets go earlier.
+    #[must_use]
+    pub fn first_to_lift_off(&self, changes: &[f64]) -> Option<LiftOff> {
+        let contacts = self.contacts().iter().zip(changes).enumerate();
+        let losing = contacts.filter(|(_, (_, change))| **change < 0.0);
+        let factors = losing.map(|(contact, (held, change))| LiftOff {
+            contact,
+            load_factor: held.preload() / -change,
+        });
+        factors.min_by(|a, b| a.load_factor.total_cmp(&b.load_factor))
     }
 }

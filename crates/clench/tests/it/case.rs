@@ -2,7 +2,7 @@
 
 use clench::contact::{Contact, Curvature, Elastic, Geometry, Hertz, Law, LineContact, Order};
 use clench::screw::{Frame, planar, spatial};
-use clench::shape::{Ellipsoid, Extent, Extremes, Polygon, Polyhedron};
+use clench::shape::{Ellipsoid, Extent, ExtremePoints, Polygon, Polyhedron};
 use clench::stiffness::Grasp;
 use clench_testkit::assert_all_close;
 use clench_testkit::cases::{Value, array, list, matching, number, numbers};
@@ -20,7 +20,7 @@ pub(crate) struct Case<const N: usize, const M: usize> {
 
 /// What a part is made of, as far as its reach goes.
 enum Body<const N: usize> {
-    Corners(Extremes<N>),
+    Corners(ExtremePoints<N>),
     Smooth(Ellipsoid<N>),
 }
 
@@ -137,7 +137,7 @@ fn planar_case(name: String, value: Value) -> Case<2, 1> {
         let (point, normal) = (edge.point_at(number(&given["s"])), edge.inward_normal());
         Geometry::on_face(point, normal, number(&given["radius"]))
     };
-    let body = Body::Corners(outline.extremes().clone());
+    let body = Body::Corners(outline.extreme_points().clone());
     Case::new((name, value), frame, body, place, in_plane)
 }
 
@@ -159,7 +159,7 @@ fn spatial_case(name: String, value: Value) -> Case<3, 3> {
         let point = turn.direction_to_parent(array(&given["b_body"]).into());
         Geometry::on_face(point, normal, number(&given["radius"]))
     };
-    let body = Body::Corners(solid.extremes().clone());
+    let body = Body::Corners(solid.extreme_points().clone());
     Case::new((name, value), frame, body, place, hertz)
 }
 

@@ -190,7 +190,7 @@ fn check_quality<const N: usize, const M: usize>(case: &Case<N, M>) {
     }
     check(quality.value, "Q", of_directions);
     let digits = match body {
-        Extent::Extremes(_) => 10.0 * PRINCIPAL_DIGITS,
+        Extent::Points(_) => 10.0 * PRINCIPAL_DIGITS,
         Extent::Ellipsoid(_) => SEARCH_DIGITS,
     };
     let least = EquivalentStiffness::least(&principal, body).unwrap();
@@ -341,7 +341,7 @@ fn best_over_bases(case: &Case<3, 3>) -> f64 {
         .collect();
     let body = case.body();
     let equivalent = |rotation: Vector<3>| {
-        let deflection = body.fastest(Vector::ZERO, &principal.forceless_twist(rotation)).value;
+        let deflection = body.fastest(Vector::ZERO, &principal.force_free_twist(rotation)).value;
         rotation.dot(*principal.restricted_stiffness() * rotation) / (deflection * deflection)
     };
     // A pair turns about the third axis only.

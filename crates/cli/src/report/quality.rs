@@ -1,6 +1,6 @@
 //! The quality of a grasp, and its worst point, in the frame of the report.
 
-use clench::shape::Extreme;
+use clench::shape::Farthest;
 use serde::Serialize;
 
 use super::words::LimitWord;
@@ -72,7 +72,7 @@ impl QualityReport {
 
 impl ReachReport {
     /// The reach to the farthest point of a planar part.
-    pub(super) fn new(farthest: &Extreme<2>, view: &View<2, 1>) -> Self {
+    pub(super) fn new(farthest: &Farthest<2>, view: &View<2, 1>) -> Self {
         let (corner, distance) = (farthest.corner, farthest.value);
         Self { corner, point: view.point(farthest.point), distance }
     }

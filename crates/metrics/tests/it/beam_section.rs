@@ -38,7 +38,7 @@ fn axis(screw: Screw) -> Axis {
 #[test]
 fn torsion_without_force_turns_about_the_shear_center() {
     let principal = Principal::of(Vector::ZERO, &section()).unwrap();
-    let torsion = axis(principal.forceless_twist([0.0, 0.0, 1.0].into()).screw());
+    let torsion = axis(principal.force_free_twist([0.0, 0.0, 1.0].into()).screw());
     assert!((torsion.point[0] - 0.015_468_467).abs() < DIGITS, "{:?}", torsion.point);
     assert!((torsion.point[1] - 0.015_668_518).abs() < DIGITS);
 }
@@ -46,7 +46,7 @@ fn torsion_without_force_turns_about_the_shear_center() {
 #[test]
 fn an_axial_force_through_the_tension_center_does_not_bend() {
     let principal = Principal::of(Vector::ZERO, &section()).unwrap();
-    let pull = axis(principal.rotationless_wrench([0.0, 0.0, 1.0].into()).screw());
+    let pull = axis(principal.rotation_free_wrench([0.0, 0.0, 1.0].into()).screw());
     assert!((pull.point[0] + 0.072_888_833).abs() < DIGITS, "{:?}", pull.point);
     assert!((pull.point[1] - 0.007_805_302).abs() < DIGITS);
     // The wrench-compliant axis along z is the same line.

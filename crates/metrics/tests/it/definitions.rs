@@ -1,8 +1,8 @@
 //! The parameters against what they are defined by, on the full matrices.
 
-use clench_metrics::{Deflection, Principal};
+use clench_metrics::{Displacement, Principal};
 use clench_screw::{Axis, Frame, Mat, Stiffness, Twist, Vector, Wrench, spatial};
-use clench_shape::Extremes;
+use clench_shape::ExtremePoints;
 use clench_testkit::{Random, assert_all_close, assert_close};
 
 use crate::springs::{assembled, corners, principal, solve, springs};
@@ -21,21 +21,21 @@ fn principal_parameters_fulfil_their_definitions<const N: usize, const M: usize>
         let stiffness = assembled::<N, M>(&springs, Vector::ZERO);
         let principal = principal::<N, M>(&springs).unwrap();
         for (mu, axis) in principal.rotational().values.iter().zip(principal.rotational().vectors) {
-            let wrench = stiffness.apply(&principal.forceless_twist(axis));
+            let wrench = stiffness.apply(&principal.force_free_twist(axis));
             let wanted = axis * *mu;
             assert!(wrench.force.norm() <= 1e-12 * wanted.norm().max(1.0));
             assert_all_close(&wrench.torque.to_array(), &wanted.to_array(), 1e-10, "torque");
         }
         let sigma = principal.translational();
         for (value, direction) in sigma.values.iter().zip(sigma.vectors) {
-            let load = principal.rotationless_wrench(direction);
+            let load = principal.rotation_free_wrench(direction);
             let twist = solve(&stiffness, &load);
             assert!(twist.angular.norm() <= 1e-10 * twist.linear.norm(), "{:?}", twist.angular);
             let moved = twist.linear * *value;
             assert_all_close(&moved.to_array(), &direction.to_array(), 1e-10, "translation");
         }
         let compliance = Mat::<N, N>::from_fn(|i, j| {
-            solve(&stiffness, &principal.rotationless_wrench(unit(j))).linear[i]
+            solve(&stiffness, &principal.rotation_free_wrench(unit(j))).linear[i]
         });
         let found = principal.translational_compliance();
         let wanted = compliance.rows().as_flattened();
@@ -59,14 +59,22 @@ fn loads_move_the_body<const N: usize, const M: usize>(seed: u64) {
         let load = Wrench::<N, M> { force: r.array(1.0).into(), torque: r.array(1.0).into() };
         let wanted = solve(&stiffness, &load);
         let points = corners::<N>(9, r);
-        let body = Extremes::new(&points).unwrap();
-        let found = Deflection::of(&principal, &load, &body);
+        let body = ExtremePoints::new(&points).unwrap();
+        let found = Displacement::of(&principal, Vector::ZERO, &load, &body).unwrap();
         assert_all_close(&found.twist.linear.to_array(), &wanted.linear.to_array(), 1e-10, "v");
         assert_all_close(&found.twist.angular.to_array(), &wanted.angular.to_array(), 1e-10, "w");
         let speeds = points.iter().map(|&p| wanted.velocity_at(p.into()).norm());
         let largest = speeds.fold(0.0, f64::max);
         assert_close(found.largest.value, largest, 1e-10, largest, "largest");
-        assert_close(found.margin(3.0) * largest, 3.0, 1e-10, 3.0, "margin");
+        // So many times the load just keeps the tolerance.
+        let grown = Displacement::of(&principal, Vector::ZERO, &(load * found.margin(3.0)), &body);
+        assert_close(grown.unwrap().largest.value, 3.0, 1e-10, 3.0, "margin");
+        // About another origin it is the same displacement.
+        let origin: Vector<N> = r.array(1.0).into();
+        let there = Displacement::of(&principal, origin, &load.in_frame(&Frame::at(origin)), &body)
+            .unwrap();
+        let off = there.at(found.largest.point) - found.at(found.largest.point);
+        assert!(off.norm() <= 1e-10 * largest, "{off:?}");
         assert_close(found.at(found.largest.point).norm(), largest, 1e-10, largest, "there");
         // A force at a point moves it by the point's compliance.
         let (point, force): (Vector<N>, Vector<N>) = (r.array(1.0).into(), r.array(1.0).into());
@@ -260,10 +268,29 @@ fn surfaces_have_unit_energy<const N: usize, const M: usize>(
         let there = moved.displacement_projection().semi_axes;
         let here = principal.displacement_projection().semi_axes;
         assert_all_close(&there, &here, 1e-9, "projection");
-        let about = principal.about(frame.origin());
-        let map = frame.axes().transpose() * about.twist_map() * *frame.spin();
-        let found = moved.twist_map();
-        assert_all_close(found.rows().as_flattened(), map.rows().as_flattened(), 1e-9, "P_1");
+        // Written in that frame, the parameters are those of the stiffness written there.
+        let written = principal.in_frame(&frame);
+        let same = |found: &[f64], wanted: &[f64], what: &str| {
+            assert_all_close(found, wanted, 1e-9, what);
+        };
+        same(
+            written.twist_map().rows().as_flattened(),
+            moved.twist_map().rows().as_flattened(),
+            "P_1",
+        );
+        same(
+            written.restricted_stiffness().rows().as_flattened(),
+            moved.restricted_stiffness().rows().as_flattened(),
+            "K_V",
+        );
+        same(
+            written.translational_compliance().rows().as_flattened(),
+            moved.translational_compliance().rows().as_flattened(),
+            "C_W",
+        );
+        same(&written.center().to_array(), &moved.center().to_array(), "center");
+        let unit = written.translational().vectors[0].dot(moved.translational().vectors[0]);
+        assert_close(unit.abs(), 1.0, 1e-6, 1.0, "direction");
     }
 }
 

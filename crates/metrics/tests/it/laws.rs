@@ -2,7 +2,7 @@
 
 use clench_metrics::{EquivalentStiffness, Principal, Quality, WorstPoint};
 use clench_screw::{Frame, Mat, Vector, planar, spatial};
-use clench_shape::{Ellipsoid, Extent, Extremes};
+use clench_shape::{Ellipsoid, Extent, ExtremePoints};
 use clench_testkit::{Random, assert_all_close, assert_close};
 
 use crate::springs::{Spring, assembled, corners, moved, principal, springs};
@@ -58,7 +58,7 @@ fn the_frame_does_not_matter<const N: usize, const M: usize>(
             let points = corners::<N>(8 + 20 * (round % 3), r);
             let far_points: Vec<_> =
                 points.iter().map(|&p| frame.point_to_parent(p.into()).to_array()).collect();
-            let [body, far_body] = [&points, &far_points].map(|p| Extremes::new(p).unwrap());
+            let [body, far_body] = [&points, &far_points].map(|p| ExtremePoints::new(p).unwrap());
             let (here, there) = (
                 invariants::<N, M>(&springs, (&body).into()),
                 invariants::<N, M>(&far, (&far_body).into()),
@@ -113,7 +113,7 @@ fn a_change_of_units_is_exact<const N: usize, const M: usize>(seed: u64) {
         let evaluate = |l: f64, f: f64| {
             let scaled: Vec<_> = springs.iter().map(|&(p, n, k)| (p * l, n, k * f / l)).collect();
             let body: Vec<_> = points.iter().map(|p| p.map(|x| x * l)).collect();
-            let body = Extremes::new(&body).unwrap();
+            let body = ExtremePoints::new(&body).unwrap();
             let smooth = Ellipsoid::new(Vector::ZERO, semi_axes.map(|a| a * l)).unwrap();
             let principal = principal::<N, M>(&scaled).unwrap();
             let of = |body: Extent<'_, N>| {
@@ -151,7 +151,7 @@ fn a_mirror_does_not_matter<const N: usize, const M: usize>(seed: u64) {
         let mirror = |v: Vector<N>| Vector::from_fn(|i| if i == 0 { -v[i] } else { v[i] });
         let mirrored: Vec<_> = springs.iter().map(|&(p, n, k)| (mirror(p), mirror(n), k)).collect();
         let far: Vec<_> = points.iter().map(|&p| mirror(p.into()).to_array()).collect();
-        let [body, far] = [&points, &far].map(|p| Extremes::new(p).unwrap());
+        let [body, far] = [&points, &far].map(|p| ExtremePoints::new(p).unwrap());
         let here = invariants::<N, M>(&springs, (&body).into());
         let mut there = invariants::<N, M>(&mirrored, (&far).into());
         for (name, values) in &mut there {
@@ -177,7 +177,7 @@ fn more_points_never_help<const N: usize, const M: usize>(seed: u64) {
         let mut before = [f64::INFINITY; 3];
         for _ in 0..12 {
             points.push(r.array(2.0));
-            let body = Extremes::new(&points).unwrap();
+            let body = ExtremePoints::new(&points).unwrap();
             let after = [
                 Quality::of(&principal, &body).unwrap().value,
                 EquivalentStiffness::least(&principal, &body).unwrap().value,
@@ -203,7 +203,7 @@ fn a_finger_less_never_helps<const N: usize, const M: usize>(seed: u64) {
     for _ in 0..60 {
         let springs = springs::<N>(9, r);
         let all = principal::<N, M>(&springs).unwrap();
-        let points = Extremes::new(&corners::<N>(8, r)).unwrap();
+        let points = ExtremePoints::new(&corners::<N>(8, r)).unwrap();
         let worst = |p: &Principal<N, M>| WorstPoint::of(p, &points).unwrap().stiffness;
         for removed in 0..springs.len() {
             let mut rest = springs.clone();
@@ -240,7 +240,7 @@ fn the_measures_are_in_order<const N: usize, const M: usize>(count: usize, seed:
             continue;
         }
         held += 1;
-        let body = Extremes::new(&corners::<N>(N + 1 + r.below(8), r)).unwrap();
+        let body = ExtremePoints::new(&corners::<N>(N + 1 + r.below(8), r)).unwrap();
         let quality = Quality::of(&principal, &body).unwrap();
         let least = EquivalentStiffness::least(&principal, &body).unwrap().value;
         let worst = WorstPoint::of(&principal, &body).unwrap().stiffness;
@@ -268,10 +268,10 @@ fn the_order_of_things_does_not_matter() {
     for _ in 0..40 {
         let mut springs = springs::<3>(8, r);
         let mut points = corners::<3>(40, r);
-        let here = invariants::<3, 3>(&springs, (&Extremes::new(&points).unwrap()).into());
+        let here = invariants::<3, 3>(&springs, (&ExtremePoints::new(&points).unwrap()).into());
         springs.reverse();
         points.rotate_left(17);
-        let there = invariants::<3, 3>(&springs, (&Extremes::new(&points).unwrap()).into());
+        let there = invariants::<3, 3>(&springs, (&ExtremePoints::new(&points).unwrap()).into());
         assert_same(&there, &here, 1e-11);
     }
 }

@@ -1,8 +1,10 @@
 //! Stiffnesses without principal parameters, each with the reason.
 
-use clench_metrics::{EquivalentStiffness, MetricsError, Principal, Quality, WorstPoint};
-use clench_screw::{Mat, ScrewError, Stiffness, Vector, Wrench};
-use clench_shape::{Ellipsoid, Extremes};
+use clench_metrics::{
+    Displacement, EquivalentStiffness, LimitedBy, MetricsError, Principal, Quality, WorstPoint,
+};
+use clench_screw::{Axis, Mat, ScrewError, Stiffness, Vector, Wrench};
+use clench_shape::{Ellipsoid, ExtremePoints};
 
 fn spring<const N: usize, const M: usize>(point: [f64; N], normal: [f64; N]) -> Stiffness<N, M> {
     Stiffness::outer(&Wrench::of_force_at(normal.into(), point.into()))
@@ -14,7 +16,7 @@ fn a_free_translation_is_named_with_its_direction() {
     assert_eq!(
         Principal::of(Vector::ZERO, &stiffness),
         Err(MetricsError::TranslationNotHeld {
-            direction: [1.0, 0.0, 0.0],
+            direction: Vector::new([1.0, 0.0, 0.0]),
             value: 0.0,
             largest: 2.0
         })
@@ -30,9 +32,11 @@ fn a_free_rotation_is_named_with_its_center() {
     };
     let found = Principal::near(Vector::ZERO, about);
     let expected = MetricsError::RotationNotHeld {
-        axis: [0.0, 0.0, 1.0],
-        point: [2.0, 1.0, 0.0],
-        pitch: 0.0,
+        axis: Axis {
+            direction: Vector::new([0.0, 0.0, 1.0]),
+            point: Vector::new([2.0, 1.0, 0.0]),
+            pitch: 0.0,
+        },
         value: 0.0,
         scale: 5.0,
     };
@@ -50,7 +54,7 @@ fn a_free_rotation_in_space_is_named_with_its_axis() {
         + spring([0.0, 0.0, 0.0], [0.0, 0.0, 1.0]);
     let found = Principal::of(Vector::ZERO, &stiffness);
     let Err(MetricsError::RotationNotHeld { axis, value, .. }) = found else { panic!("{found:?}") };
-    assert_eq!((axis, value), ([0.0, 0.0, 1.0], 0.0));
+    assert_eq!((axis.direction.to_array(), value), ([0.0, 0.0, 1.0], 0.0));
 }
 
 #[test]
@@ -100,7 +104,7 @@ fn diagonal(sigma: f64, mu: f64) -> Principal<3, 3> {
 /// A body of 1e130 on a stiffness of 1e-80 gives way by more than a double can say.
 #[test]
 fn a_stiffness_that_no_double_can_hold_is_refused() {
-    let body = Extremes::new(&[[1e130, 0.0, 0.0], [0.0, 1e130, 0.0]]).unwrap();
+    let body = ExtremePoints::new(&[[1e130, 0.0, 0.0], [0.0, 1e130, 0.0]]).unwrap();
     let soft = diagonal(1.0, 1e-80);
     let out_of_range = |found| matches!(found, Err(MetricsError::OutOfRange { .. }));
     let quality = Quality::of(&soft, &body).map(|quality| quality.value);
@@ -117,7 +121,7 @@ fn a_stiffness_that_no_double_can_hold_is_refused() {
 fn small_and_large_bodies_have_the_same_measures_in_their_units() {
     let cube = |size: f64| {
         let corner = |i: usize| [0, 1, 2].map(|axis| if i >> axis & 1 == 1 { size } else { -size });
-        Extremes::new(&(0..8).map(corner).collect::<Vec<_>>()).unwrap()
+        ExtremePoints::new(&(0..8).map(corner).collect::<Vec<_>>()).unwrap()
     };
     for size in [1e-9, 1.0, 1e9] {
         let principal = diagonal(3.0, 4.0 * size * size);
@@ -132,14 +136,37 @@ fn small_and_large_bodies_have_the_same_measures_in_their_units() {
     }
 }
 
-/// One point at the center of compliance: no rotation moves it, and its compliance is that of the
-/// translations.
+/// A bar along a principal axis does not limit the turn about that axis; a point at the center of
+/// compliance limits no turn at all.
 #[test]
-fn a_body_that_no_rotation_moves_has_no_equivalent_stiffness() {
-    let point = Extremes::new(&[[0.0; 3]]).unwrap();
-    let principal = diagonal(3.0, 4.0);
-    let found = Quality::of(&principal, &point).map(|quality| quality.value);
-    let deflection = 0.0;
-    assert_eq!(found, Err(MetricsError::OutOfRange { stiffness: f64::INFINITY, deflection }));
+fn rotations_that_move_no_point_do_not_limit() {
+    let stiffness = Stiffness {
+        translational: Mat::IDENTITY * 3.0,
+        coupling: Mat::ZERO,
+        rotational: Mat::new([[4.0, 0.0, 0.0], [0.0, 5.0, 0.0], [0.0, 0.0, 6.0]]),
+    };
+    let principal = Principal::of(Vector::ZERO, &stiffness).unwrap();
+    let bar = ExtremePoints::new(&[[-4.0, 0.0, 0.0], [4.0, 0.0, 0.0]]).unwrap();
+    let quality = Quality::of(&principal, &bar).unwrap();
+    assert_eq!(
+        quality.rotations.map(|rotation| rotation.value),
+        [f64::INFINITY, 5.0 / 16.0, 0.375]
+    );
+    assert_eq!(quality.value, 5.0 / 16.0);
+
+    let point = ExtremePoints::new(&[[0.0; 3]]).unwrap();
+    let quality = Quality::of(&principal, &point).unwrap();
+    assert_eq!((quality.value, quality.limited_by), (3.0, LimitedBy::Translation));
+    assert_eq!(EquivalentStiffness::least(&principal, &point).unwrap().value, f64::INFINITY);
     assert_eq!(WorstPoint::of(&principal, &point).unwrap().stiffness, 3.0);
+}
+
+/// A load that moves the body by more than a double can say.
+#[test]
+fn a_displacement_that_overflows_is_refused() {
+    let body = ExtremePoints::new(&[[1e100, 0.0, 0.0]]).unwrap();
+    let load = Wrench { force: Vector::ZERO, torque: Vector::new([0.0, 0.0, 1e250]) };
+    let found = Displacement::of(&diagonal(1.0, 1.0), Vector::ZERO, &load, &body);
+    let deflection = f64::INFINITY;
+    assert_eq!(found, Err(MetricsError::OutOfRange { stiffness: 0.0, deflection }));
 }

@@ -57,6 +57,27 @@ impl<const N: usize> SymmetricEigen<N> {
         Self::decomposed(a, 1.0)
     }
 
+    /// The matrix with the same eigenvectors whose eigenvalues are `function` of these.
+    ///
+    /// ```
+    /// use clench_screw::{Mat, SymmetricEigen};
+    /// let root = SymmetricEigen::new(&Mat::new([[4.0, 0.0], [0.0, 9.0]]))?.map(f64::sqrt);
+    /// assert_eq!(root, Mat::new([[2.0, 0.0], [0.0, 3.0]]));
+    /// # Ok::<(), clench_screw::ScrewError>(())
+    /// ```
+    #[must_use]
+    pub fn map(&self, function: impl Fn(f64) -> f64) -> Mat<N, N> {
+        let pairs = self.values.iter().zip(&self.vectors);
+        pairs.fold(Mat::ZERO, |sum, (&value, &v)| sum + Mat::outer(v, v) * function(value))
+    }
+
+    /// The same in a basis whose vectors are the columns of `axes`, orthonormal.
+    #[must_use]
+    pub fn in_basis(&self, axes: &Mat<N, N>) -> Self {
+        let vectors = self.vectors.map(|v| with_positive_peak(axes.transpose() * v));
+        Self { values: self.values, vectors }
+    }
+
     /// Diagonal entries below the part `floor` of the largest entry count as that.
     fn decomposed(a: &Mat<N, N>, floor: f64) -> Result<Self, ScrewError> {
         if !a.is_finite() {

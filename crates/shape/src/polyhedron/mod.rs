@@ -16,7 +16,7 @@ pub use error::PolyhedronError;
 pub use face::Face;
 pub use place::{FaceFeature, FacePlace};
 
-use crate::Extremes;
+use crate::ExtremePoints;
 use crate::deepest::Surface;
 use shells::Shells;
 use surface::{FaceTree, Feature};
@@ -65,7 +65,7 @@ pub struct Polyhedron {
     enclosing_radius: f64,
     is_convex: bool,
     volume: f64,
-    extremes: Extremes<3>,
+    extremes: ExtremePoints<3>,
     tree: FaceTree,
 }
 
@@ -111,7 +111,7 @@ impl Polyhedron {
         let enclosing_radius = distances.fold(0.0, f64::max);
         let is_one_piece = first_faces.iter().all(|&first| first == 0);
         let is_convex = is_one_piece && convexity::is_convex(&vertices, &faces, &edges);
-        let extremes = Extremes::of_hull(&vertices, &used);
+        let extremes = ExtremePoints::of_hull(&vertices, &used);
         let vertex_normals = surface::vertex_normals(&vertices, &faces);
         Ok(Self {
             vertices,
@@ -195,7 +195,7 @@ impl Polyhedron {
 
     /// The vertices of the convex hull, for how far the solid reaches; of equal vertices one.
     #[must_use]
-    pub fn extremes(&self) -> &Extremes<3> {
+    pub fn extreme_points(&self) -> &ExtremePoints<3> {
         &self.extremes
     }
 

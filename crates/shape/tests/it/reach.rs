@@ -1,7 +1,7 @@
 //! How far bodies reach: hulls, farthest points and fastest points, against looking at all.
 
 use clench_screw::{Mat, Twist, Vector};
-use clench_shape::{BodyError, Ellipsoid, Extent, Extremes, Polygon, Polyhedron};
+use clench_shape::{BodyError, Ellipsoid, Extent, ExtremePoints, Polygon, Polyhedron};
 use clench_testkit::{Random, assert_all_close, assert_close};
 
 /// Points of several kinds that hulls get wrong: in general position, on a sphere, on a grid with
@@ -40,7 +40,7 @@ fn extremes_have_the_support_of_all_points_in_every_direction_to_the_last_bit() 
         for _ in 0..4 {
             for cloud in clouds(count, r) {
                 let points: Vec<[f64; 3]> = cloud.iter().map(|p| p.to_array()).collect();
-                let extremes = Extremes::new(&points).unwrap();
+                let extremes = ExtremePoints::new(&points).unwrap();
                 for _ in 0..100 {
                     let along: Vector<3> = r.array(1.0).into();
                     let support = |points: &[Vector<3>]| {
@@ -62,19 +62,19 @@ fn only_corners_of_the_hull_are_extreme() {
     let step = |i: usize| i as f64 - 1.0;
     let corner = |i: usize| [step(i % 3), step(i / 3 % 3), step(i / 9 % 3)];
     let points: Vec<[f64; 3]> = (0..54).map(corner).collect();
-    let extremes = Extremes::new(&points).unwrap();
+    let extremes = ExtremePoints::new(&points).unwrap();
     assert_eq!(extremes.points().len(), 8);
     assert!(extremes.points().iter().all(|p| p.to_array().iter().all(|x| x.abs() == 1.0)));
     // In the plane the same, and points of a line have two ends.
     let square: Vec<[f64; 2]> = (0..18).map(|i| [step(i % 3), step(i / 3 % 3)]).collect();
-    assert_eq!(Extremes::new(&square).unwrap().points().len(), 4);
+    assert_eq!(ExtremePoints::new(&square).unwrap().points().len(), 4);
     let line = [[1.0, 1.0], [3.0, 3.0], [2.0, 2.0]];
-    let mut ends = Extremes::new(&line).unwrap().numbers().to_vec();
+    let mut ends = ExtremePoints::new(&line).unwrap().numbers().to_vec();
     ends.sort_unstable();
     assert_eq!(ends, [0, 1]);
-    assert_eq!(Extremes::new(&[[5.0, 5.0]]).unwrap().numbers(), [0]);
+    assert_eq!(ExtremePoints::new(&[[5.0, 5.0]]).unwrap().numbers(), [0]);
     assert_eq!(
-        Extremes::new(&[[3.0, 4.0], [3.0, 4.0]])
+        ExtremePoints::new(&[[3.0, 4.0], [3.0, 4.0]])
             .unwrap()
             .farthest_by(1.0, |p, _| p.norm_squared())
             .value,
@@ -112,7 +112,7 @@ fn the_tree_finds_the_fastest_point<const N: usize, const M: usize>(seed: u64) {
                     point
                 })
                 .collect();
-            let extremes = Extremes::new(&points).unwrap();
+            let extremes = ExtremePoints::new(&points).unwrap();
             let points: Vec<Vector<N>> = points.into_iter().map(Vector::from).collect();
             for _ in 0..40 {
                 let twist =
@@ -214,7 +214,7 @@ fn a_ball_reaches_its_radius_beyond_the_distance() {
 
 #[test]
 fn extremes_of_no_points_or_of_infinite_ones_are_refused() {
-    assert_eq!(Extremes::<3>::new(&[]), Err(BodyError::NoPoints));
-    let fault = Extremes::new(&[[0.0, 1.0], [f64::NAN, 0.0]]);
+    assert_eq!(ExtremePoints::<3>::new(&[]), Err(BodyError::NoPoints));
+    let fault = ExtremePoints::new(&[[0.0, 1.0], [f64::NAN, 0.0]]);
     assert!(matches!(fault, Err(BodyError::PointOutOfRange { point: 1, component: 0, .. })));
 }

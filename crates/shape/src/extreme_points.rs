@@ -20,14 +20,14 @@ const LEAF: usize = 16;
 /// look at all.
 ///
 /// ```
-/// use clench_shape::Extremes;
-/// let probes = Extremes::new(&[[0.0, 0.0, 0.0], [3.0, 4.0, 0.0], [0.0, 0.0, 1.0]])?;
+/// use clench_shape::ExtremePoints;
+/// let probes = ExtremePoints::new(&[[0.0, 0.0, 0.0], [3.0, 4.0, 0.0], [0.0, 0.0, 1.0]])?;
 /// let farthest = probes.farthest_by(1.0, |point, _| point.norm_squared());
 /// assert_eq!((farthest.corner, farthest.value), (Some(1), 5.0));
 /// # Ok::<(), clench_shape::BodyError>(())
 /// ```
 #[derive(Clone, Debug, PartialEq)]
-pub struct Extremes<const N: usize> {
+pub struct ExtremePoints<const N: usize> {
     points: Vec<Vector<N>>,
     /// The number of each point in the list that the body was given by.
     numbers: Vec<usize>,
@@ -51,7 +51,7 @@ enum Content<const N: usize> {
 
 /// Where in a body something is largest.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Extreme<const N: usize> {
+pub struct Farthest<const N: usize> {
     /// The point of the body.
     pub point: Vector<N>,
     /// Its number among the corners or vertices of the body; `None` on a body without any.
@@ -60,7 +60,7 @@ pub struct Extreme<const N: usize> {
     pub value: f64,
 }
 
-impl<const N: usize> Extremes<N> {
+impl<const N: usize> ExtremePoints<N> {
     /// A body given by `points`: their hull, or anything between the points and the hull.
     ///
     /// Points inside the hull are left out, exactly, unless all are in one plane of space.
@@ -111,14 +111,14 @@ impl<const N: usize> Extremes<N> {
     ///
     /// Cost: O(1) evaluations up to a few dozen points, then about the square root of their number
     /// where one place stands out, and all of them where all tie.
-    pub fn farthest_by(&self, growth: f64, square: impl Fn(Vector<N>, f64) -> f64) -> Extreme<N> {
+    pub fn farthest_by(&self, growth: f64, square: impl Fn(Vector<N>, f64) -> f64) -> Farthest<N> {
         let mut search = Search { extremes: self, growth, square, best: (0, f64::NEG_INFINITY) };
         match &self.root.content {
             Content::Leaf(places) => search.scan(places.clone()),
             Content::Branches(branches) => search.descend(branches),
         }
         let (place, square) = search.best;
-        Extreme {
+        Farthest {
             point: self.points[place],
             corner: Some(self.numbers[place]),
             value: square.sqrt(),
@@ -162,7 +162,7 @@ fn extreme_in_plane(points: &[Vector<2>]) -> Vec<usize> {
 
 /// A search for the largest square, and the best so far.
 struct Search<'a, const N: usize, F> {
-    extremes: &'a Extremes<N>,
+    extremes: &'a ExtremePoints<N>,
     growth: f64,
     square: F,
     best: (usize, f64),
