@@ -6,7 +6,7 @@
 //! | to ... | use |
 //! | --- | --- |
 //! | change the frame of twists, wrenches and stiffnesses | [`screw`] |
-//! | validate an outline or a solid, find where to touch it, measure an overlap | [`shape`] |
+//! | validate outlines and solids, find where to touch them and how far they reach | [`shape`] |
 //! | get the stiffness of one contact from materials, curvatures and preload | [`contact`] |
 //! | get energy, equilibrium, preload, stiffness and stability of a grasp | [`stiffness`] |
 //! | get frame-invariant numbers from any stiffness | [`metrics`] |

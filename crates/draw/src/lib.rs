@@ -1,4 +1,4 @@
-//! Pictures of parts, fingers, contacts, axes and energy ellipsoids.
+//! Pictures of parts, fingers, contacts and energy ellipsoids, and charts.
 //!
 //! | to draw | use |
 //! | --- | --- |

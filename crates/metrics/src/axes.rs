@@ -71,7 +71,7 @@ impl<const N: usize, const M: usize> Principal<N, M> {
 }
 
 impl Principal<3, 3> {
-    /// The center of stiffness [Loncaric]: the point about which `K_12` is symmetric.
+    /// The center of stiffness by Loncaric: the point about which `K_12` is symmetric.
     ///
     /// Not the canonical point and not the center of compliance: all three are one point only where
     /// there is a center of compliance [`Self::center_of_compliance`].
@@ -84,7 +84,7 @@ impl Principal<3, 3> {
         self.center() + solved(sigma, |value| value, skew * 2.0)
     }
 
-    /// The center of compliance [Loncaric]: the point about which `C_12` is symmetric.
+    /// The center of compliance by Loncaric: the point about which `C_12` is symmetric.
     ///
     /// It always exists, unlike [`Self::center_of_compliance`], about which `C_12` is zero.
     #[must_use]

@@ -31,7 +31,7 @@ impl<const D: usize> EnergyEllipsoid<D> {
 /// The displacements and the wrenches of unit energy, and what of them no frame alters.
 ///
 /// Rotations, translations and points are those of the frame in which the parameters are written;
-/// [`Principal::about`] moves its origin.
+/// [`Principal::in_frame`] writes them in another.
 impl<const N: usize, const M: usize> Principal<N, M> {
     /// The translations `v` that together with `rotation` (rad) have unit energy: the section of
     /// the surface `q^T K q = 2` at that rotation.

@@ -31,8 +31,8 @@ impl<const N: usize, const M: usize> EquivalentStiffness<N, M> {
     /// The least of all rotations that need no force: `Q_V` (force / length).
     ///
     /// `Q_V = min over x of 1 / lambda_max(X(x) K_V^-1 X(x)^T)`, `X(x) = P_1 - lever(x)`, for the
-    /// points `x` of the body. Unlike [`crate::Quality`] it is continuous in the grasp. In the plane it
-    /// is `mu_eq`.
+    /// points `x` of the body. Unlike [`crate::Quality`] it is continuous in the grasp. In the
+    /// plane it is `mu_eq`.
     ///
     /// # Errors
     ///

@@ -1,9 +1,21 @@
 //! Frame-invariant quality of a compliant grasp.
 //!
 //! From the stiffness of a grasp, and nothing else about it, follow numbers that do not depend on
-//! the frame: the principal translational and rotational stiffnesses and the center of compliance
-//! ([`Principal`], LBR section 3), and with the body's shape the equivalent stiffness and the
-//! quality measure ([`Quality`], LBR section 4). The plane and space share [`Principal`].
+//! the frame [LBR, section 3]; with the body's shape they become comparable to each other and to a
+//! tolerance [LBR, section 4]. All is one text for the plane, `<2, 1>`, and for space, `<3, 3>`,
+//! and for any body that [`clench_shape::Extent`] can be made from. By purpose:
+//!
+//! | to get | use |
+//! | --- | --- |
+//! | principal stiffnesses `sigma_i`, `mu_i`, and what they follow from | [`Principal`] |
+//! | their axes, and centers | [`Principal::twist_axes`], [`Principal::center`] |
+//! | displacements and wrenches of unit energy | [`EnergyEllipsoid`] |
+//! | the quality `Q` of the paper | [`Quality`] |
+//! | the same over all force-free rotations, `Q_V` | [`EquivalentStiffness::least`] |
+//! | the least force per deflection anywhere on the body, `Q_pt` | [`WorstPoint`] |
+//! | what a given load does | [`Displacement`] |
+//!
+//! `min(sigma_min, Q_V) / 2 <= Q_pt <= min(sigma_min, Q_V) <= Q`.
 //!
 //! ```
 //! use clench_metrics::{LimitedBy, Principal, Quality};
@@ -28,6 +40,12 @@
 //! assert!((quality.value - 1.0 / 5.0).abs() < 1e-15);
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
+//!
+//! # When not to use it
+//!
+//! Everything is proportional to small displacements. A stiffness to second order whose contact
+//! forces do not balance depends on the origin, and so do its numbers. That fingers only push is
+//! not seen here: whether a grasp can hold at all is asked of the contacts.
 
 mod principal;
 

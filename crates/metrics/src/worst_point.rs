@@ -17,8 +17,8 @@ use crate::{MetricsError, Principal};
 pub struct WorstPoint<const N: usize> {
     /// `Q_pt`, the least force per deflection (force / length).
     pub stiffness: f64,
-    /// A proved lower bound for all points and directions: the stiffness itself, but on an ellipsoid
-    /// what a search could prove.
+    /// A proved lower bound for all points and directions: the stiffness itself, but on an
+    /// ellipsoid what a search could prove.
     pub at_least: f64,
     /// The point where it is attained.
     pub point: Vector<N>,

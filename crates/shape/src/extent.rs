@@ -6,8 +6,8 @@ use crate::{Ellipsoid, ExtremePoints, Farthest, Polygon, Polyhedron};
 
 /// What decides how far a body reaches: its extreme points, or that it is an ellipsoid.
 ///
-/// Made from a reference to a [`Polygon`], a [`Polyhedron`], an [`Ellipsoid`] or [`ExtremePoints`] of
-/// one's own.
+/// Made from a reference to a [`Polygon`], a [`Polyhedron`], an [`Ellipsoid`] or [`ExtremePoints`]
+/// of one's own.
 ///
 /// ```
 /// use clench_screw::{Vector, planar::Twist};

@@ -7,9 +7,10 @@ use crate::predicates::unit_scale;
 
 /// The numbers of the extreme points, ascending; all numbers if the points are in one plane.
 ///
-/// Quickhull [Barber, Dobkin and Huhdanpaa] with exact predicates: of equal points one is extreme, and none within an edge or a
-/// face of the hull is. The hulls of libraries decide with tolerances: the one of parry loses
-/// some millionths of the radius on a cylinder of 10,000 points, and the ends of needles.
+/// Quickhull (Barber, Dobkin and Huhdanpaa) with exact predicates: of equal points one is extreme,
+/// and none within an edge or a face of the hull is. The hulls of libraries decide with tolerances:
+/// the one of parry loses some millionths of the radius on a cylinder of 10,000 points, and the
+/// ends of needles.
 pub(crate) fn extreme_points(points: &[Vector<3>]) -> Vec<usize> {
     let largest = points.iter().fold(0.0_f64, |m, p| m.max(p.max_abs()));
     // Nothing is rounded, and no product leaves the range of numbers.

@@ -1,7 +1,7 @@
 //! Figures 1 to 5.
 
 use clench::optimize::Solution;
-use clench::screw::Vector;
+use clench::screw::{Frame, Vector};
 use clench::shape::Edge;
 use clench_draw::{
     Color, DrawError, EnergyEllipsoids, EnergySpace, Figure, Finger, GraspPicture, Mark, Region,
@@ -34,7 +34,7 @@ pub(crate) fn all(paper: &Paper) -> Result<Vec<(&'static str, Figure)>, DrawErro
 fn energy(paper: &Paper, space: EnergySpace) -> Result<Figure, DrawError> {
     let axes = [([1.0, 0.0], [0.0]), ([0.0, 1.0], [0.0]), ([0.0, 0.0], [1.0])];
     let points = |origin: Vector<2>| {
-        let principal = paper.figure_1.about(origin);
+        let principal = paper.figure_1.in_frame(&Frame::at(origin));
         axes.map(|(along, about)| match space {
             EnergySpace::Twist => {
                 let q = principal.displacement_of_unit_energy(along.into(), about.into());

@@ -2,29 +2,21 @@
 //! from its 6 x 6 stiffness by the same elimination.
 
 use clench_metrics::Principal;
-use clench_screw::{Axis, Mat, Screw, Stiffness, Vector};
+use clench_screw::{Axis, Screw, Stiffness, Vector};
 
 /// The section of a wind turbine's blade in the tests of the `OpenFAST` toolbox (`converters`,
 /// `test_BD_H2`): strains and curvatures in the order shear x, shear y, axial, bending x,
 /// bending y, torsion; in N, N m and N m^2.
 fn section() -> Stiffness<3, 3> {
-    Stiffness {
-        translational: Mat::new([
-            [3.221_147_34e9, 3.256_715_41e7, 0.0],
-            [3.256_715_41e7, 2.436_486_38e9, 0.0],
-            [0.0, 0.0, 2.443_256_80e10],
-        ]),
-        coupling: Mat::new([
-            [0.0, 0.0, -4.996_684_23e7],
-            [0.0, 0.0, 3.717_843_04e7],
-            [1.907_035_65e8, 1.780_861_38e9, 0.0],
-        ]),
-        rotational: Mat::new([
-            [4.840_651_53e10, 4.600_618_48e9, 0.0],
-            [4.600_618_48e9, 5.236_887_67e10, 0.0],
-            [0.0, 0.0, 2.331_488_98e10],
-        ]),
-    }
+    let rows = [
+        [3.221_147_34e9, 3.256_715_41e7, 0.0, 0.0, 0.0, -4.996_684_23e7],
+        [3.256_715_41e7, 2.436_486_38e9, 0.0, 0.0, 0.0, 3.717_843_04e7],
+        [0.0, 0.0, 2.443_256_80e10, 1.907_035_65e8, 1.780_861_38e9, 0.0],
+        [0.0, 0.0, 1.907_035_65e8, 4.840_651_53e10, 4.600_618_48e9, 0.0],
+        [0.0, 0.0, 1.780_861_38e9, 4.600_618_48e9, 5.236_887_67e10, 0.0],
+        [-4.996_684_23e7, 3.717_843_04e7, 0.0, 0.0, 0.0, 2.331_488_98e10],
+    ];
+    Stiffness::from_fn(|i, j| rows[i][j])
 }
 
 /// The digits that the toolbox compares to.

@@ -17,8 +17,8 @@ const ROUNDING: f64 = f64::EPSILON;
 
 impl<const N: usize> SymmetricEigen<N> {
     /// The largest eigenvalue of the symmetric part of `a`, if none is negative: within about a
-    /// hundred units of rounding, in less than half of the time of a decomposition unless another is
-    /// near it.
+    /// hundred units of rounding, in less than half of the time of a decomposition unless another
+    /// is near it.
     ///
     /// ```
     /// use clench_screw::{Mat, SymmetricEigen};

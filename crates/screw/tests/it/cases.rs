@@ -14,12 +14,7 @@ fn split<const N: usize, const M: usize>(v: &Value) -> (Vector<N>, Vector<M>) {
 }
 
 fn stiffness<const N: usize, const M: usize>(v: &Value) -> Stiffness<N, M> {
-    let at = |i: usize, j: usize| number(&v[i][j]);
-    Stiffness {
-        translational: Mat::from_fn(at),
-        coupling: Mat::from_fn(|i, j| at(i, N + j)),
-        rotational: Mat::from_fn(|i, j| at(N + i, N + j)),
-    }
+    Stiffness::from_fn(|i, j| number(&v[i][j]))
 }
 
 fn change_of_frame<const N: usize, const M: usize>(

@@ -1,8 +1,8 @@
 //! Properties that hold for every frame, twist, wrench and stiffness, in the plane and in space.
 
 use clench_screw::{
-    Cholesky, Frame, Mat, Stiffness, SymmetricEigen, Twist, Vector, Wrench, lever, lever_center,
-    planar, spatial,
+    Axis, Cholesky, Frame, Mat, Stiffness, SymmetricEigen, Twist, Vector, Wrench, lever,
+    lever_center, planar, spatial,
 };
 use clench_testkit::{Random, assert_all_close, assert_close};
 
@@ -282,5 +282,35 @@ fn the_left_jacobian_is_the_derivative_of_the_exponential_map() {
         let spin = (ahead + behind * -1.0) * (0.5 / h) * spatial::rotation(theta).transpose();
         let omega = spatial::left_jacobian(theta) * rate;
         assert_all_close(&lever_center::<3, 3>(&spin).to_array(), &omega.to_array(), 1e-9, "omega");
+    }
+}
+
+/// The power of a unit wrench on one axis along a unit twist on another, from pitches, angle and
+/// distance, whatever the order and the frame.
+#[test]
+fn the_reciprocal_product_is_that_of_pitches_angle_and_distance() {
+    let r = &mut Random::new(9);
+    for distance in [1.0, 1e3] {
+        for _ in 0..100 {
+            let shift: Vector<3> = r.array(distance).into();
+            let mut axis = || {
+                let direction = Vector::<3>::from(r.array(1.0)).direction().unwrap();
+                let about_shift = Axis::new(direction, r.array(1.0).into());
+                let moment = about_shift.moment() + spatial::cross(shift, direction);
+                Axis::new(direction, moment)
+            };
+            let (one, other) = (axis(), axis());
+            let product = one.reciprocal_product(&other);
+            let size = distance * distance.max(1.0) * 1e-14;
+            assert_close(other.reciprocal_product(&one), product, 1.0, size, "other order");
+            // Far from the origin the power itself loses the square of the distance.
+            let power = one.twist().power(&other.wrench());
+            assert_close(power, product, 1.0, 10.0 * size, "power");
+            let normal = spatial::cross(one.direction, other.direction);
+            let (sine, cosine) = (normal.norm(), one.direction.dot(other.direction));
+            let apart = (other.point - one.point).dot(normal) / sine;
+            let wanted = (one.pitch + other.pitch) * cosine - apart * sine;
+            assert_close(product, wanted, 1.0, 10.0 * size, "formula");
+        }
     }
 }

@@ -11,7 +11,7 @@ impl<const N: usize> Ellipsoid<N> {
     ///
     /// With `x = c + A y` for a unit vector `y`, `|w + B y|` is largest where
     /// `(lambda - B^T B) y = B^T w` for a `lambda` not below the largest eigenvalue of `B^T B`: a
-    /// trust-region problem [Moré and Sorensen].
+    /// trust-region problem (Moré and Sorensen).
     pub(crate) fn farthest_image<const R: usize>(
         &self,
         origin: Vector<N>,
