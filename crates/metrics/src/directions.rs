@@ -13,7 +13,7 @@ const PROVED: f64 = 16.0 * f64::EPSILON;
 /// many directions tie, as on a ball, no number would.
 const MAX_DIRECTIONS: usize = 4_096;
 
-/// Steps of the ascent from one direction; each costs as much as a direction of the search.
+/// Steps of the ascent from one direction, each with all its doublings.
 const MAX_STEPS: usize = 64;
 
 /// The largest value of a norm over the unit sphere.
@@ -37,14 +37,18 @@ struct Simplex<const N: usize> {
 /// The largest value of `norm` over the unit vectors of the plane or of space.
 ///
 /// `norm(u)` is the value at `u`, and a direction at which it is not smaller, where an ascent goes
-/// on. A norm is convex: within a flat simplex it is at most as large as at the corners, and the
+/// on; `starts` are directions to begin with. A norm is convex: within a flat simplex it is at most as large as at the corners, and the
 /// directions through the simplex are longer than its points by at most the inverse of its distance
 /// from the origin. So each simplex has a bound that is off by the square of its size; the one with
 /// the largest is halved until none exceeds what was found.
 pub(crate) fn largest_norm<const N: usize>(
     norm: impl Fn(Vector<N>) -> (f64, Vector<N>),
+    starts: impl IntoIterator<Item = Vector<N>>,
 ) -> Largest<N> {
     let mut best = Largest { direction: Vector::ZERO, value: -1.0, bound: 0.0 };
+    for start in starts {
+        raised(&norm, start, &mut best);
+    }
     let mut heap = BinaryHeap::new();
     // One of each pair of opposite orthants.
     for signs in 0..1 << (N - 1) {
@@ -80,21 +84,35 @@ pub(crate) fn largest_norm<const N: usize>(
 }
 
 /// The norm at `start`; where it is the best so far, so is what an ascent from there comes to.
+///
+/// Where directions nearly tie, the steps of the ascent are small parts of the way: each is doubled
+/// while that raises the norm.
 fn raised<const N: usize>(
     norm: impl Fn(Vector<N>) -> (f64, Vector<N>),
     start: Vector<N>,
     best: &mut Largest<N>,
 ) -> f64 {
     let (value, mut next) = norm(start);
-    if value > best.value {
-        (best.value, best.direction) = (value, start);
-        for _ in 0..MAX_STEPS {
-            let (higher, after) = norm(next);
+    if value <= best.value || value.is_nan() {
+        return value;
+    }
+    (best.value, best.direction) = (value, start);
+    for _ in 0..MAX_STEPS {
+        let from = best.direction;
+        // The direction and its opposite are the same.
+        let next_to = if from.dot(next) < 0.0 { -next } else { next };
+        let mut step = next_to - from;
+        let mut raised = false;
+        while let Some(to) = (from + step).direction() {
+            let (higher, after) = norm(to);
             if higher <= best.value || higher.is_nan() {
                 break;
             }
-            (best.value, best.direction) = (higher, next);
-            next = after;
+            (best.value, best.direction, next, raised) = (higher, to, after, true);
+            step = step * 2.0;
+        }
+        if !raised {
+            break;
         }
     }
     value

@@ -7,6 +7,9 @@ use crate::Principal;
 /// Twice the energy at which the surfaces are drawn: `q^T K q = 2` on `q^T K q / 2 = 1`.
 const DOUBLED_ENERGY: f64 = 2.0;
 
+/// What is left of the doubled energy at the rim of a projection: the rounding of its square.
+const ROUNDING: f64 = 32.0 * f64::EPSILON;
+
 /// A section or a projection of a surface of unit energy: an ellipsoid in space, an ellipse in the
 /// plane, two points on a line.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -125,9 +128,9 @@ fn ellipsoid<const D: usize>(
     left: f64,
     semi_axis: impl Fn(f64, f64) -> f64,
 ) -> Option<EnergyEllipsoid<D>> {
-    (left >= 0.0).then(|| EnergyEllipsoid {
+    (left >= -ROUNDING).then(|| EnergyEllipsoid {
         center,
-        semi_axes: stiffness.values.map(|value| semi_axis(left, value)),
+        semi_axes: stiffness.values.map(|value| semi_axis(left.max(0.0), value)),
         directions: stiffness.vectors,
     })
 }

@@ -22,6 +22,8 @@ pub struct EquivalentStiffness<const N: usize, const M: usize> {
     pub pitch: f64,
     /// The point that this twist moves most, and how far, the *deflection* (length per rad).
     pub farthest: Farthest<N>,
+    /// The distance of that point from the axis of the twist: `rho_max` (length).
+    pub reach: f64,
     /// How many principal rotations, with all between them, were compared: the multiplicity of a
     /// principal stiffness; for [`Self::least`] all.
     pub multiplicity: usize,
@@ -44,13 +46,6 @@ impl<const N: usize, const M: usize> EquivalentStiffness<N, M> {
         Self::among(principal, 0, M, body.into())
     }
 
-    /// The distance of the farthest point from the rotation's axis: `rho_max` (length).
-    #[must_use]
-    pub fn reach(&self) -> f64 {
-        let (deflection, pitch) = (self.farthest.value, self.pitch.abs());
-        ((deflection - pitch) * (deflection + pitch)).max(0.0).sqrt()
-    }
-
     /// The least among the combinations of the principal rotations `first` to `end`, exclusive.
     pub(crate) fn among(
         principal: &Principal<N, M>,
@@ -66,18 +61,10 @@ impl<const N: usize, const M: usize> EquivalentStiffness<N, M> {
         let softest = softness.largest(body)?;
         let turned = softness.rotation(softest.point, softest.direction);
         let rotation = turned.unwrap_or(mu.vectors[first]);
-        let twist = principal.near_twist(rotation);
-        let speed = twist.velocity_at(softest.point - principal.origin()).norm();
-        let farthest = Farthest { point: softest.point, corner: softest.corner, value: speed };
-        let found = Self {
-            value: softest.compliance.recip(),
-            at_least: softest.bound.recip(),
-            rotation,
-            pitch: twist.linear.in_space().dot(rotation.in_space()),
-            farthest,
-            multiplicity: end - first,
-        };
-        found.finite()
+        let place = (softest.point, softest.corner);
+        let found = Self::moving(principal, rotation, place);
+        let (value, at_least) = (softest.compliance.recip(), softest.bound.recip());
+        Self { value, at_least, multiplicity: end - first, ..found }.finite()
     }
 
     /// That of one rotation, of unit length, whose stiffness is `mu`.
@@ -87,12 +74,33 @@ impl<const N: usize, const M: usize> EquivalentStiffness<N, M> {
         mu: f64,
         body: Extent<'_, N>,
     ) -> Result<Self, MetricsError> {
+        let Farthest { point, corner, .. } =
+            body.fastest(principal.origin(), &principal.near_twist(rotation));
+        let found = Self::moving(principal, rotation, (point, corner));
+        let value = mu / (found.farthest.value * found.farthest.value);
+        Self { value, at_least: value, ..found }.finite()
+    }
+
+    /// How the force-free twist of a rotation moves its farthest point, still without a value.
+    fn moving(
+        principal: &Principal<N, M>,
+        rotation: Vector<M>,
+        (point, corner): (Vector<N>, Option<usize>),
+    ) -> Self {
         let twist = principal.near_twist(rotation);
-        let farthest = body.fastest(principal.origin(), &twist);
-        let value = mu / (farthest.value * farthest.value);
-        let pitch = twist.linear.in_space().dot(rotation.in_space());
-        let found = Self { value, at_least: value, rotation, pitch, farthest, multiplicity: 1 };
-        found.finite()
+        let velocity = twist.velocity_at(point - principal.origin());
+        let along = rotation.in_space();
+        let pitch = twist.linear.in_space().dot(along);
+        Self {
+            value: 0.0,
+            at_least: 0.0,
+            rotation,
+            pitch,
+            farthest: Farthest { point, corner, value: velocity.norm() },
+            // What is left of the velocity across the axis: the difference of squares cancels.
+            reach: (velocity.in_space() - along * pitch).norm(),
+            multiplicity: 1,
+        }
     }
 
     fn finite(self) -> Result<Self, MetricsError> {

@@ -1,8 +1,6 @@
 //! The principal stiffness parameters of LBR section 3.
 
-use clench_screw::{
-    Frame, Mat, Stiffness, SymmetricEigen, Twist, Vector, Wrench, lever, lever_center,
-};
+use clench_screw::{Cholesky, Frame, Mat, Stiffness, SymmetricEigen, Twist, Vector, Wrench, lever};
 
 use crate::MetricsError;
 
@@ -25,8 +23,10 @@ pub struct Principal<const N: usize, const M: usize> {
     restricted: Mat<M, M>,
     /// `P_1 = -K_11^-1 K_12` about `origin`: the translation that goes with a rotation.
     twist_map: Mat<N, M>,
-    /// The trace of `K_22` about the origin that the computation started from.
+    /// What `mu` is the difference of: the trace of `K_22`, and what the force-free rotations carry.
     scale: f64,
+    /// How far from the frame's origin the stiffness was formed (length).
+    distance: f64,
 }
 
 impl<const N: usize, const M: usize> Principal<N, M> {
@@ -47,8 +47,10 @@ impl<const N: usize, const M: usize> Principal<N, M> {
 
     /// The parameters of the stiffness that `stiffness_about` forms about any origin.
     ///
-    /// In two passes: about `start`, which has to be near the body, for the center of compliance;
-    /// then about that center, where the blocks decouple and nothing cancels.
+    /// In two passes: about `start`, which has to be near the body, for the point about which the
+    /// trace of `K_22` is least; then about that point, where least cancels when what forces resist
+    /// is taken from `K_22`. In the plane it is the center of compliance. In space that may be the
+    /// wrong choice: where a translation is soft, the canonical point is far away.
     ///
     /// # Errors
     ///
@@ -61,9 +63,9 @@ impl<const N: usize, const M: usize> Principal<N, M> {
         let translational = translational(&rough)?;
         // The translational block is the same about every origin.
         let compliance = translational.map(f64::recip);
-        let center = start + lever_center(&(compliance * rough.coupling * -1.0));
+        let origin = start + step_to_least_rotational(&rough);
         let scale = rough.rotational.trace().abs();
-        Self::scaled(center, &stiffness_about(center), translational, compliance, scale)
+        Self::scaled(origin, &stiffness_about(origin), translational, compliance, scale)
     }
 
     fn scaled(
@@ -76,6 +78,9 @@ impl<const N: usize, const M: usize> Principal<N, M> {
         let twist_map = translational_compliance * stiffness.coupling * -1.0;
         let restricted = stiffness.rotational + stiffness.coupling.transpose() * twist_map;
         let rotational = SymmetricEigen::new(&restricted)?;
+        // What is taken from K_22 is as large as `sigma |P_1|^2` at most, and rounds by that.
+        let carried = twist_map.rows().as_flattened().iter().map(|x| x * x).sum::<f64>();
+        let scale = scale + translational.values[N - 1] * carried;
         let principal = Self {
             origin,
             translational,
@@ -84,6 +89,7 @@ impl<const N: usize, const M: usize> Principal<N, M> {
             restricted,
             twist_map,
             scale,
+            distance: origin.max_abs(),
         };
         let value = rotational.values[0];
         if value > ZERO_STIFFNESS * scale {
@@ -177,6 +183,7 @@ impl<const N: usize, const M: usize> Principal<N, M> {
             restricted: spin.transpose() * self.restricted * *spin,
             twist_map: axes.transpose() * self.twist_map * *spin,
             scale: self.scale,
+            distance: self.distance,
         }
     }
 
@@ -200,14 +207,30 @@ impl<const N: usize, const M: usize> Principal<N, M> {
         &self.twist_map
     }
 
-    /// How far `P_1` may be off by rounding (length): of each contact a product with its arm, about
-    /// the root of the quotient of the traces of `K_22` and `K_11`, is divided by the smallest of
-    /// the stiffnesses.
+    /// How far `P_1` may be off by rounding (length): of each contact a product with its arm is
+    /// divided by the smallest of the stiffnesses. Arms are about the root of the quotient of
+    /// rotational and translational stiffness, and are rounded with their distance from the origin.
     pub(crate) fn map_rounding(&self) -> f64 {
         let sigma = &self.translational.values;
         let arm = (self.scale / sigma.iter().sum::<f64>()).sqrt();
-        ZERO_STIFFNESS * arm * (sigma[N - 1] / sigma[0])
+        ZERO_STIFFNESS * (arm + self.distance) * (sigma[N - 1] / sigma[0])
     }
+}
+
+/// The step to the point about which the trace of `K_22` is least: `A c = b` with
+/// `A_kj = <lever(e_k), K_11 lever(e_j)>` and `b_k = -<lever(e_k), K_12>`; none if nothing resists.
+fn step_to_least_rotational<const N: usize, const M: usize>(
+    stiffness: &Stiffness<N, M>,
+) -> Vector<N> {
+    let levers: [Mat<N, M>; N] =
+        std::array::from_fn(|k| lever(Vector::from_fn(|i| if i == k { 1.0 } else { 0.0 })));
+    let inner = |a: &Mat<N, M>, b: &Mat<N, M>| -> f64 {
+        a.rows().as_flattened().iter().zip(b.rows().as_flattened()).map(|(x, y)| x * y).sum()
+    };
+    let resisted = levers.map(|lever| stiffness.translational * lever);
+    let matrix = Mat::<N, N>::from_fn(|k, j| inner(&levers[k], &resisted[j]));
+    let moments = Vector::from_fn(|k| -inner(&levers[k], &stiffness.coupling));
+    Cholesky::new(&matrix).map_or(Vector::ZERO, |factors| factors.solve(moments))
 }
 
 fn translational<const N: usize, const M: usize>(

@@ -102,14 +102,22 @@ impl<'a, const N: usize, const M: usize> Softness<'a, N, M> {
     /// For a direction `u` the largest of `|[base^(1/2) u, G(x)^T u]|` over the points `x` of an
     /// ellipsoid is that of an affine map; the largest of all `u` is searched for.
     fn largest_over_directions(&self, body: Extent<'_, N>) -> Result<Softest<N>, MetricsError> {
-        let found = largest_norm(|u| {
+        let norm = |u: Vector<N>| {
             let farthest = self.farthest_along(body, u);
             let base = u.dot(self.base * u);
-            let norm = base + farthest.value * farthest.value;
+            let square = base + farthest.value * farthest.value;
             let eigen = SymmetricEigen::beside_largest(&self.matrix(farthest.point));
             let next = eigen.map_or(u, |eigen| eigen.vectors[N - 1]);
-            (norm.sqrt(), next)
-        });
+            (square.sqrt(), next)
+        };
+        // Where the principal rotations move the body most: none of them is softer than the result.
+        let origin = self.principal.origin();
+        let moved = |rotation| {
+            let twist = self.principal.near_twist(rotation);
+            twist.velocity_at(body.fastest(origin, &twist).point - origin).direction()
+        };
+        let starts = self.principal.rotational().vectors.into_iter().filter_map(moved);
+        let found = largest_norm(norm, starts);
         let Largest { direction, bound, .. } = found;
         let point = self.farthest_along(body, direction);
         let softest = self.at(point)?;

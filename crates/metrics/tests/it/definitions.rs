@@ -219,6 +219,33 @@ fn a_center_of_compliance_is_found_where_there_is_one_and_decouples() {
     }
 }
 
+/// Three springs about each axis, at unlike heights, turned and far away: where coordinates are
+/// rounded, so is the pitch tensor, and the center is still one.
+#[test]
+fn a_center_of_compliance_does_not_depend_on_the_frame() {
+    let r = &mut Random::new(67);
+    for distance in [1.0, 1e3, 1e6] {
+        for _ in 0..50 {
+            let center: Vector<3> = r.array(distance).into();
+            let turn = spatial::Frame::new([0.0; 3], r.array(2.0));
+            let mut springs = Vec::new();
+            for axis in 0..3 {
+                let height = r.between(-1.0, 1.0);
+                for third in 0..3 {
+                    let angle = std::f64::consts::TAU * f64::from(third) / 3.0;
+                    let (one, other) = (unit::<3>((axis + 1) % 3), unit::<3>((axis + 2) % 3));
+                    let arm = one * angle.cos() + other * angle.sin() + unit(axis) * height;
+                    let point = center + turn.direction_to_parent(arm);
+                    springs.push((point, turn.direction_to_parent(unit(axis)), 1.0));
+                }
+            }
+            let principal = principal::<3, 3>(&springs).unwrap();
+            let found = principal.center_of_compliance().unwrap();
+            assert!((found - center).norm() <= 1e-13 * distance.max(10.0), "{found:?} {center:?}");
+        }
+    }
+}
+
 /// Every point of the surfaces has unit energy; sections and projections are parts of them.
 fn surfaces_have_unit_energy<const N: usize, const M: usize>(
     frame: impl Fn(&mut Random) -> Frame<N, M>,

@@ -170,3 +170,63 @@ fn a_displacement_that_overflows_is_refused() {
     let deflection = f64::INFINITY;
     assert_eq!(found, Err(MetricsError::OutOfRange { stiffness: 0.0, deflection }));
 }
+
+fn springs(given: &[([f64; 3], [f64; 3])]) -> impl Fn(Vector<3>) -> Stiffness<3, 3> + '_ {
+    move |origin| {
+        given.iter().fold(Stiffness::ZERO, |sum, &(point, normal)| {
+            let arm = Vector::from(point) - origin;
+            sum + Stiffness::outer(&Wrench::of_force_at(normal.into(), arm))
+        })
+    }
+}
+
+/// Five springs leave a rotation free. One translation is so soft that the canonical point is a
+/// hundred body lengths away, where the rounding would pass for a stiffness.
+#[test]
+fn a_soft_translation_does_not_hide_a_free_rotation() {
+    let t = 1.0 / 128.0;
+    let given = [
+        ([0.5, -0.5, 0.5], [-t, 0.0, 0.0]),
+        ([-1.0, -1.0, -0.5], [t, -2.0, -1.0]),
+        ([-0.5, 1.0, -1.0], [0.0, -1.0, 0.0]),
+        ([1.0, 1.0, 0.5], [0.0, -1.0, -1.0]),
+        ([-0.5, 0.5, 0.5], [t, 0.0, 0.0]),
+    ];
+    let found = Principal::near(Vector::ZERO, springs(&given));
+    assert!(matches!(found, Err(MetricsError::RotationNotHeld { .. })), "{found:?}");
+}
+
+/// Six springs that hold all, the softest translation a millionth of the stiffest; `mu` by 40 digits.
+#[test]
+fn a_soft_translation_costs_no_digits() {
+    let t = 1.0 / 1024.0;
+    let given = [
+        ([-0.5, 0.0, 0.0], [-t, -2.0, 2.0]),
+        ([1.0, -0.5, 1.0], [-t, -2.0, -1.0]),
+        ([0.0, 0.0, -1.0], [-2.0 * t, 2.0, -2.0]),
+        ([1.0, 0.0, -0.5], [-2.0 * t, 2.0, -1.0]),
+        ([1.0, -0.5, 0.0], [t, 0.0, 1.0]),
+        ([-1.0, -1.0, 1.0], [2.0 * t, 1.0, -2.0]),
+    ];
+    let principal = Principal::near(Vector::ZERO, springs(&given)).unwrap();
+    let mu = principal.rotational().values[0];
+    assert!((mu / 0.148_419_884_713_252_63 - 1.0).abs() < 1e-12, "{mu}");
+}
+
+/// Two springs in the plane hold no turn about the point where they meet; nearly parallel ones
+/// carry rounding of the stiff direction into `mu`.
+#[test]
+fn what_a_stiff_direction_rounds_is_not_a_rotational_stiffness() {
+    let about = |origin: Vector<2>| {
+        let spring = |point: [f64; 2], normal: [f64; 2]| {
+            let arm = Vector::from(point) - origin;
+            Stiffness::<2, 1>::outer(&Wrench::of_force_at(normal.into(), arm))
+        };
+        spring([0.5, 1.5], [0.6, 0.81]) + spring([0.0, -0.5], [0.61, 0.81])
+    };
+    for found in
+        [Principal::of(Vector::ZERO, &about(Vector::ZERO)), Principal::near(Vector::ZERO, about)]
+    {
+        assert!(matches!(found, Err(MetricsError::RotationNotHeld { .. })), "{found:?}");
+    }
+}

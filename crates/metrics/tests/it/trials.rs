@@ -111,7 +111,7 @@ fn the_least_equivalent_stiffness_is_what_rotations_find_by_trial() {
         // rho_max is the distance from the axis.
         let off = Vector::from(points[least.farthest.corner.unwrap()]) - axis.point;
         let distance = (off - axis.direction * axis.direction.dot(off)).norm();
-        assert_close(least.reach(), distance, 1e-9, distance, "reach");
+        assert_close(least.reach, distance, 1e-9, distance, "reach");
     }
 }
 
@@ -310,5 +310,51 @@ fn bodies_of_many_corners_have_the_measures_of_all_their_corners() {
         assert_close(found, worst, 1e-14, worst, "Q_pt");
         let found = EquivalentStiffness::least(&principal, Extent::from(&body)).unwrap().value;
         assert_close(found, least, 1e-14, least, "Q_V");
+    }
+}
+
+/// Where nearly all directions tie, the same value is found in every frame, with its own point.
+#[test]
+fn nearly_round_bodies_have_the_same_measures_in_every_frame() {
+    let r = &mut Random::new(59);
+    for round in 0..12 {
+        let size = [1e-2, 1e-3][round % 2];
+        let near_one = |r: &mut Random| r.array::<3>(size).map(|x| 1.0 + x);
+        let mu = near_one(r);
+        let principal = isotropic(50.0, mu);
+        let body = Ellipsoid::new(Vector::ZERO, near_one(r)).unwrap();
+        let frame = spatial::Frame::new([0.0; 3], r.array(2.0));
+        let (there, turned) = (principal.in_frame(&frame.inverse()), body.placed(&frame));
+        let least = EquivalentStiffness::least(&principal, &body).unwrap();
+        let in_frame = EquivalentStiffness::least(&there, &turned).unwrap();
+        assert_close(in_frame.value, least.value, 1e-11, least.value, "Q_V");
+        let [worst, in_frame] =
+            [WorstPoint::of(&principal, &body), WorstPoint::of(&there, &turned)];
+        let worst = worst.unwrap().stiffness;
+        assert_close(in_frame.unwrap().stiffness, worst, 1e-11, worst, "Q_pt");
+        let fastest =
+            Extent::from(&body).fastest(Vector::ZERO, &principal.force_free_twist(least.rotation));
+        assert_close(fastest.value, least.farthest.value, 1e-10, fastest.value, "farthest");
+        let quality = Quality::of(&principal, &body).unwrap();
+        assert!(least.value <= quality.equivalent() * (1.0 + 1e-15));
+    }
+}
+
+/// A probe beside a screw axis with a large pitch: the difference of squares has lost its distance.
+#[test]
+fn the_reach_of_a_slender_body_keeps_its_digits() {
+    for (pitch, reach) in [(1.0, 1e-3), (1.0, 1e-6), (1e3, 1.0)] {
+        // Turning about x moves the body along x by the pitch.
+        let map = Mat::new([[pitch, 0.0, 0.0], [0.0; 3], [0.0; 3]]);
+        let stiffness = Stiffness {
+            translational: Mat::IDENTITY,
+            coupling: map * -1.0,
+            rotational: Mat::new([[1.0, 0.0, 0.0], [0.0, 1e9, 0.0], [0.0, 0.0, 2e9]])
+                + map.transpose() * map,
+        };
+        let principal = Principal::of(Vector::ZERO, &stiffness).unwrap();
+        let probe = ExtremePoints::new(&[[0.0, reach, 0.0]]).unwrap();
+        let softest = Quality::of(&principal, &probe).unwrap().rotations[0];
+        assert_close(softest.reach, reach, 1e-9, reach, "reach");
     }
 }
