@@ -135,12 +135,13 @@ impl<'a> Question<'a> {
         metrics: &Metrics<N, M>,
         body: Extent<'_, N>,
     ) -> Result<Vec<Response<'a, N, M>>, Failure> {
-        let response = |(number, case)| {
-            let response = Response::of(case, &found.grasp, &metrics.principal, body);
-            if response.is_finite(&found.points) {
-                return Ok(response);
-            }
-            Err(self.document.error(&Place::load_case(number), LoadFault::OutOfRange))
+        let response = |(number, load)| {
+            let case = Place::load_case(number);
+            let response = Response::of(load, &found.grasp, &metrics.principal, body)
+                .ok_or_else(|| self.document.error(&case, LoadFault::OutOfRange))?;
+            let Some(lost) = response.out_of_range(&found.points) else { return Ok(response) };
+            let fault = LoadFault::PointOutOfRange { case };
+            Err(self.document.error(&Place::named_point(lost), fault))
         };
         found.load_cases.iter().enumerate().map(response).collect()
     }

@@ -2,7 +2,7 @@
 
 use clench::contact::Order;
 use clench::metrics::{MetricsError, Principal};
-use clench::screw::{Twist, Vector, spatial};
+use clench::screw::{Twist, Vector};
 use clench::stiffness::{Grasp, Preloads, Stability};
 
 /// A contact is pressed if the part moves towards it by more than this part of its speed: the
@@ -62,18 +62,10 @@ fn softest<const N: usize, const M: usize>(
     let (largest, value) = (sigma.values[N - 1], mu.values[0]);
     let scale = largest * length * length;
     if sigma.values[0] * length * length < value {
-        let along = sigma.vectors[0];
-        let direction = std::array::from_fn(|i| if i < N { along[i] } else { 0.0 });
+        let direction = sigma.vectors[0].in_space();
         return MetricsError::TranslationNotHeld { direction, value: sigma.values[0], largest };
     }
-    let axis = principal.twist_axes()[0];
-    MetricsError::RotationNotHeld {
-        axis: axis.direction.to_array(),
-        point: axis.point.to_array(),
-        pitch: axis.pitch,
-        value,
-        scale,
-    }
+    MetricsError::RotationNotHeld { axis: principal.twist_axes()[0], value, scale }
 }
 
 impl Classes {
@@ -156,13 +148,9 @@ fn is_caught<const N: usize, const M: usize>(
 fn motion(error: &MetricsError) -> Option<Twist<3, 3>> {
     match *error {
         MetricsError::TranslationNotHeld { direction, .. } => {
-            Some(Twist { linear: direction.into(), angular: Vector::ZERO })
+            Some(Twist { linear: direction, angular: Vector::ZERO })
         }
-        MetricsError::RotationNotHeld { axis, point, pitch, .. } => {
-            let (axis, point) = (axis.into(), point.into());
-            let linear = spatial::cross(point, axis) + axis * pitch;
-            Some(Twist { linear, angular: axis })
-        }
+        MetricsError::RotationNotHeld { axis, .. } => Some(axis.twist()),
         _ => None,
     }
 }

@@ -1,6 +1,6 @@
 //! The frame that a report is written in.
 
-use clench::screw::{Axis, Frame, Mat, Twist, Vector, Wrench, planar, spatial};
+use clench::screw::{Axis, Frame, Mat, Vector, planar, spatial};
 
 use crate::arguments::FrameArgument;
 use crate::failure::Failure;
@@ -77,20 +77,6 @@ impl<const N: usize, const M: usize> View<N, M> {
         components(self.frame.spin().transpose() * turning)
     }
 
-    /// The force and the torque of `wrench`, given about the origin of the file's frame, about that
-    /// of this one.
-    pub(crate) fn wrench(&self, wrench: &Wrench<N, M>) -> (Vec<f64>, Vec<f64>) {
-        let Wrench { force, torque } = wrench.in_frame(&self.frame);
-        (components(force), components(torque))
-    }
-
-    /// The translation and the rotation of `twist`, given about the origin of the file's frame,
-    /// about that of this one.
-    pub(crate) fn twist(&self, twist: &Twist<N, M>) -> (Vec<f64>, Vec<f64>) {
-        let Twist { linear, angular } = twist.in_frame(&self.frame);
-        (components(linear), components(angular))
-    }
-
     /// The axis in this frame: its direction, which has three numbers in the plane too, and its
     /// point nearest to the origin.
     pub(crate) fn axis(&self, axis: &Axis) -> (Vec<f64>, Vec<f64>) {
@@ -100,23 +86,6 @@ impl<const N: usize, const M: usize> View<N, M> {
         let direction = (0..3).map(|i| plain(if i < N { along[i] } else { axis.direction[i] }));
         let point = self.frame.point_in_frame(within(axis.point));
         (direction.collect(), components(point - along * along.dot(point)))
-    }
-
-    /// The rows of a matrix that takes forces to translations.
-    pub(crate) fn of_forces(&self, matrix: &Mat<N, N>) -> Rows {
-        let axes = self.frame.axes();
-        rows(&(axes.transpose() * *matrix * *axes))
-    }
-
-    /// The rows of a matrix that takes rotations to torques.
-    pub(crate) fn of_rotations(&self, matrix: &Mat<M, M>) -> Rows {
-        let spin = self.frame.spin();
-        rows(&(spin.transpose() * *matrix * *spin))
-    }
-
-    /// The rows of a matrix that takes rotations to translations of one point.
-    pub(crate) fn of_coupling(&self, matrix: &Mat<N, M>) -> Rows {
-        rows(&(self.frame.axes().transpose() * *matrix * *self.frame.spin()))
     }
 }
 
@@ -128,10 +97,12 @@ pub(crate) fn plain(value: f64) -> f64 {
     value + 0.0
 }
 
-fn components<const D: usize>(vector: Vector<D>) -> Vec<f64> {
+/// The components of a vector.
+pub(crate) fn components<const D: usize>(vector: Vector<D>) -> Vec<f64> {
     vector.to_array().map(plain).to_vec()
 }
 
-fn rows<const R: usize, const C: usize>(matrix: &Mat<R, C>) -> Rows {
+/// The rows of a matrix.
+pub(crate) fn rows<const R: usize, const C: usize>(matrix: &Mat<R, C>) -> Rows {
     matrix.rows().iter().map(|row| row.iter().copied().map(plain).collect()).collect()
 }

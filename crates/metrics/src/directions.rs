@@ -37,10 +37,10 @@ struct Simplex<const N: usize> {
 /// The largest value of `norm` over the unit vectors of the plane or of space.
 ///
 /// `norm(u)` is the value at `u`, and a direction at which it is not smaller, where an ascent goes
-/// on; `starts` are directions to begin with. A norm is convex: within a flat simplex it is at most as large as at the corners, and the
-/// directions through the simplex are longer than its points by at most the inverse of its distance
-/// from the origin. So each simplex has a bound that is off by the square of its size; the one with
-/// the largest is halved until none exceeds what was found.
+/// on; `starts` are directions to begin with. A norm is convex: within a flat simplex it is at most
+/// as large as at the corners, and the directions through the simplex are longer than its points by
+/// at most the inverse of its distance from the origin. So each simplex has a bound that is off by
+/// the square of its size; the one with the largest is halved until none exceeds what was found.
 pub(crate) fn largest_norm<const N: usize>(
     norm: impl Fn(Vector<N>) -> (f64, Vector<N>),
     starts: impl IntoIterator<Item = Vector<N>>,

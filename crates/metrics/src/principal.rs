@@ -23,7 +23,7 @@ pub struct Principal<const N: usize, const M: usize> {
     restricted: Mat<M, M>,
     /// `P_1 = -K_11^-1 K_12` about `origin`: the translation that goes with a rotation.
     twist_map: Mat<N, M>,
-    /// What `mu` is the difference of: the trace of `K_22`, and what the force-free rotations carry.
+    /// What `mu` is the difference of: the trace of `K_22`, and what force-free rotations carry.
     scale: f64,
     /// How far from the frame's origin the stiffness was formed (length).
     distance: f64,

@@ -90,7 +90,8 @@ impl<'a, const N: usize, const M: usize> Softness<'a, N, M> {
         if is_below(&matrix, floor) {
             return floor;
         }
-        SymmetricEigen::largest_value(&matrix).unwrap_or(f64::NAN)
+        // What overflows is largest.
+        SymmetricEigen::largest_value(&matrix).unwrap_or(f64::INFINITY)
     }
 
     fn at(&self, found: Farthest<N>) -> Result<Softest<N>, MetricsError> {
@@ -118,9 +119,12 @@ impl<'a, const N: usize, const M: usize> Softness<'a, N, M> {
         };
         let starts = self.principal.rotational().vectors.into_iter().filter_map(moved);
         let found = largest_norm(norm, starts);
-        let Largest { direction, bound, .. } = found;
+        let Largest { direction, value, bound } = found;
         let point = self.farthest_along(body, direction);
         let softest = self.at(point)?;
+        if bound <= value {
+            return Ok(softest);
+        }
         Ok(Softest { bound: softest.compliance.max(bound * bound), ..softest })
     }
 

@@ -125,14 +125,13 @@ impl<const N: usize, const M: usize> Wrench<N, M> {
 
 /// The screw with `line` along its axis and `moment` about the origin.
 fn read(line: Vector<3>, moment: Vector<3>) -> Screw {
-    let magnitude = line.norm();
-    if magnitude > 0.0 {
-        let size = magnitude.recip();
-        return Screw::Axis { axis: Axis::new(line * size, moment * size), magnitude };
+    // Neither squares of small numbers nor of large ones leave the range.
+    if let Some(direction) = line.direction() {
+        let magnitude = line.scaled_norm();
+        return Screw::Axis { axis: Axis::new(direction, moment * magnitude.recip()), magnitude };
     }
-    let magnitude = moment.norm();
-    if magnitude > 0.0 {
-        return Screw::Free { direction: moment * magnitude.recip(), magnitude };
+    match moment.direction() {
+        Some(direction) => Screw::Free { direction, magnitude: moment.scaled_norm() },
+        None => Screw::Zero,
     }
-    Screw::Zero
 }

@@ -90,7 +90,7 @@ impl<const N: usize> Mat<N, N> {
     /// The symmetric part, `(A + A^T) / 2`.
     #[must_use]
     pub fn symmetric_part(&self) -> Self {
-        Self::from_fn(|i, j| 0.5 * (self.0[i][j] + self.0[j][i]))
+        Self::from_fn(|i, j| 0.5 * self.0[i][j] + 0.5 * self.0[j][i])
     }
 }
 

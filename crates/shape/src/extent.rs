@@ -36,7 +36,7 @@ impl<const N: usize> Extent<'_, N> {
     #[must_use]
     pub fn fastest<const M: usize>(&self, origin: Vector<N>, twist: &Twist<N, M>) -> Farthest<N> {
         let gradient = twist.velocity_gradient();
-        self.image(origin, twist.linear, &gradient, twist.angular.norm())
+        self.image(origin, twist.linear, &gradient, twist.angular.scaled_norm())
     }
 
     /// The point farthest from `point`, and its distance (length).

@@ -4,6 +4,7 @@ use clench_screw::Vector;
 
 use crate::BodyError;
 use crate::hull::{hull, sorted};
+use crate::predicates::unit_scale;
 use crate::solid_hull::extreme_points;
 
 /// Up to this many points are looked at one after the other; so many are in a leaf of the tree.
@@ -153,7 +154,10 @@ impl<const N: usize> Node<N> {
 
 /// The numbers of the extreme points of the plane; of a single one its own.
 fn extreme_in_plane(points: &[Vector<2>]) -> Vec<usize> {
-    match hull(points, &sorted(points)) {
+    let largest = points.iter().fold(0.0_f64, |m, p| m.max(p.max_abs()));
+    let scale = if largest.is_normal() { unit_scale(largest) } else { 1.0 };
+    let points: Vec<Vector<2>> = points.iter().map(|&p| p * scale).collect();
+    match hull(&points, &sorted(&points)) {
         none if none.is_empty() => vec![0],
         extreme => extreme,
     }
@@ -185,7 +189,7 @@ impl<const N: usize, F: Fn(Vector<N>, f64) -> f64> Search<'_, N, F> {
         let bounds = branches.each_ref().map(|branch| self.bound(branch));
         let order = if bounds[0] >= bounds[1] { [0, 1] } else { [1, 0] };
         for branch in order {
-            if bounds[branch] > self.best.1 {
+            if bounds[branch] > self.best.1 || bounds[branch].is_nan() {
                 match &branches[branch].content {
                     Content::Leaf(places) => self.scan(places.clone()),
                     Content::Branches(branches) => self.descend(branches),

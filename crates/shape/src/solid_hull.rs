@@ -1,9 +1,13 @@
 //! The convex hull of points in space: which of them are extreme.
 
 use clench_screw::Vector;
-use robust::{Coord3D, orient3d};
+use robust::{Coord, Coord3D, orient2d, orient3d};
 
 use crate::predicates::unit_scale;
+
+/// A coordinate below this part of the largest counts as zero: products of three such stay normal
+/// numbers.
+const INVISIBLE: f64 = 1e-90;
 
 /// The numbers of the extreme points, ascending; all numbers if the points are in one plane.
 ///
@@ -13,9 +17,11 @@ use crate::predicates::unit_scale;
 /// ends of needles.
 pub(crate) fn extreme_points(points: &[Vector<3>]) -> Vec<usize> {
     let largest = points.iter().fold(0.0_f64, |m, p| m.max(p.max_abs()));
-    // Nothing is rounded, and no product leaves the range of numbers.
+    // Nothing is rounded, and no product leaves the range of numbers: of coordinates that are so
+    // much smaller than the largest nothing can be told in it.
     let scale = if largest.is_normal() { unit_scale(largest) } else { 1.0 };
-    let sites = points.iter().map(|p| p.to_array().map(|x| x * scale)).collect();
+    let scaled = |x: f64| if (x * scale).abs() < INVISIBLE { 0.0 } else { x * scale };
+    let sites = points.iter().map(|p| p.to_array().map(scaled)).collect();
     let Some(mut hull) = Hull::of_tetrahedron(sites) else {
         return (0..points.len()).collect();
     };
@@ -77,8 +83,7 @@ impl Hull {
         outside.iter().copied().filter(|_| *is_alive).max_by(higher)
     }
 
-    /// Replaces all that `eye` sees by a cone from it. What is in one plane with it counts as seen,
-    /// so that no side of the rim is in line with it.
+    /// Replaces all that `eye` sees by a cone from it.
     fn add(&mut self, eye: usize, start: usize) {
         let mut seen = vec![start];
         let mut rim = Vec::new();
@@ -94,12 +99,13 @@ impl Hull {
                 if !self.facets[beyond].is_alive {
                     continue;
                 }
-                if self.side(beyond, eye) <= 0.0 {
+                let Facet { corners, .. } = &self.facets[facet];
+                let edge = [corners[side], corners[(side + 1) % 3]];
+                if self.sees(eye, beyond, edge) {
                     self.facets[beyond].is_alive = false;
                     seen.push(beyond);
                 } else {
-                    let Facet { corners, .. } = &self.facets[facet];
-                    rim.push((corners[side], corners[(side + 1) % 3], beyond));
+                    rim.push((edge[0], edge[1], beyond));
                 }
             }
         }
@@ -107,6 +113,29 @@ impl Hull {
         self.cone(eye, &rim);
         left.retain(|&site| site != eye);
         self.assign(left, first);
+    }
+
+    /// Whether `eye` sees a facet across `edge`, which belongs to one that it sees: from outside
+    /// its plane, or, in its plane, unless the edge is between them. Then the facet stays, and the new
+    /// one beside it is no degenerate triangle. (Otherwise each new point of a face of many corners
+    /// would replace all of its facets.)
+    fn sees(&self, eye: usize, facet: usize, edge: [usize; 2]) -> bool {
+        let side = self.side(facet, eye);
+        if side != 0.0 {
+            return side < 0.0;
+        }
+        let corners = self.facets[facet].corners;
+        let apex = corners.into_iter().find(|corner| !edge.contains(corner)).unwrap_or(eye);
+        // In a coordinate plane in which the facet has an area: exactly.
+        let turn = |axis: usize, point: usize| {
+            let [a, b, c] = [edge[0], edge[1], point].map(|i| self.sites[i]);
+            let flat = |p: [f64; 3]| Coord { x: p[(axis + 1) % 3], y: p[(axis + 2) % 3] };
+            orient2d(flat(a), flat(b), flat(c))
+        };
+        let sides = (0..3).map(|axis| [turn(axis, apex), turn(axis, eye)]);
+        let opposite =
+            |[apex, eye]: [f64; 2]| (apex < 0.0 && eye > 0.0) || (apex > 0.0 && eye < 0.0);
+        !sides.into_iter().any(opposite)
     }
 
     /// The facets from the rim to `eye`, joined to each other and to those beyond the rim.

@@ -111,7 +111,7 @@ fn grasp(
         farthest_corner: Some(rotation.farthest.point.to_array()),
         caption: vec![
             format!("σ_{{min}} = {:.4}", q.translational),
-            format!("ρ_{{max}} = {:.4}", rotation.reach()),
+            format!("ρ_{{max}} = {:.4}", rotation.reach),
             format!("μ_{{eq}}{per_preload} = {:.4}", rotation.value),
         ],
         ..outline(paper)

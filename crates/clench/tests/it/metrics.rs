@@ -172,9 +172,9 @@ fn check_quality<const N: usize, const M: usize>(case: &Case<N, M>) {
         };
         close(rotations[i].value, "mu_eq", 0.0);
         close(rotations[i].farthest.value, "deflection", 0.0);
-        close(rotations[i].reach(), "rho_max", 0.0);
+        close(rotations[i].reach, "rho_max", 0.0);
         if N == 3 {
-            close(rotations[i].pitch, "pitch", rotations[i].reach());
+            close(rotations[i].pitch, "pitch", rotations[i].reach);
         }
     }
     if !wanted("mu_eq_cluster").is_null() {

@@ -22,10 +22,23 @@ pub(crate) struct NamedPoint<const N: usize> {
 #[derive(Clone, Debug)]
 pub(crate) struct LoadCase<const N: usize, const M: usize> {
     pub(crate) name: Option<String>,
-    /// About the origin of the file's frame.
-    pub(crate) wrench: Wrench<N, M>,
+    /// None if the file has a couple only.
+    pub(crate) force: Option<Vector<N>>,
+    /// Where the force acts.
+    pub(crate) point: Vector<N>,
+    /// Besides the force.
+    pub(crate) couple: Option<Vector<M>>,
     /// The largest displacement that is allowed of any point of the part [length].
     pub(crate) tolerance: Option<f64>,
+}
+
+impl<const N: usize, const M: usize> LoadCase<N, M> {
+    /// The load about `origin`.
+    pub(crate) fn about(&self, origin: Vector<N>) -> Wrench<N, M> {
+        let force = self.force.unwrap_or(Vector::ZERO);
+        let of_force = Wrench::of_force_at(force, self.point - origin);
+        Wrench { torque: of_force.torque + self.couple.unwrap_or(Vector::ZERO), ..of_force }
+    }
 }
 
 /// The forces that act on the part at rest.
@@ -77,18 +90,19 @@ fn load_case<const N: usize, const M: usize>(
     }
     let [force, point] =
         [("force", &given.force), ("point", &given.point)].map(|(name, numbers)| {
-            numbers.as_ref().map_or(Ok(Vector::ZERO), |n| vector(document, &field(name), n))
+            numbers.as_ref().map(|numbers| vector(document, &field(name), numbers)).transpose()
         });
-    let couple = given.torque.as_ref().map_or(Ok(Vector::ZERO), torque);
+    let couple = given.torque.as_ref().map(torque).transpose();
     let couple = couple.map_err(|fault| document.error(&field("torque"), fault))?;
     if let Some(tolerance) = given.tolerance.filter(|tolerance| tolerance.0 <= 0.0) {
         let fault = LoadFault::Tolerance { value: tolerance.0 };
         return Err(document.error(&field("tolerance"), fault));
     }
-    let of_force = Wrench::of_force_at(force?, point?);
     Ok(LoadCase {
         name: given.name.as_ref().map(|name| name.0.clone()),
-        wrench: Wrench { torque: of_force.torque + couple, ..of_force },
+        force: force?,
+        point: point?.unwrap_or(Vector::ZERO),
+        couple,
         tolerance: given.tolerance.map(|tolerance| tolerance.0),
     })
 }

@@ -146,7 +146,8 @@ impl<'a> AnalysisReport<'a> {
     pub(crate) fn spatial(analysis: &Analysis<'a, 3, 3>) -> Self {
         let mut report = Self::new(analysis);
         if let (Ok(metrics), Some(numbers)) = (&analysis.metrics, &mut report.metrics) {
-            numbers.in_space = Some(InSpace::new(&metrics.principal, &analysis.view));
+            let principal = metrics.principal.in_frame(analysis.view.frame());
+            numbers.in_space = Some(InSpace::new(&principal));
         }
         for (contact, found) in analysis.grasp.contacts().iter().zip(&mut report.contacts) {
             let curvature = contact.overlap().geometry().relative_curvature();

@@ -74,11 +74,13 @@ impl AnalysisText<'_> {
         match (&report.metrics, &report.reason) {
             (Some(MetricsReport { quality, .. }), None) => {
                 let q = self.units().stiffness(quality.quality);
-                page.head("quality", format_args!("Q = {q}, limited by {}", quality.limited_by));
+                let (by, proved) = (quality.limited_by, self.proved(quality.quality_at_least));
+                page.head("quality", format_args!("Q = {q}, limited by {by}{proved}"));
             }
             (_, Some(reason)) => page.head("no answer", reason),
             (None, None) => {}
         }
+        self.load_case_heads(page);
         for warning in &report.warnings {
             page.head("warning", warning);
         }

@@ -1,11 +1,10 @@
 //! Principal stiffnesses with their axes, in the frame of the report.
 
-use clench::metrics::{EquivalentStiffness, Principal};
+use clench::metrics::{EquivalentStiffness, Principal, REPEATED};
 use clench::screw::Axis;
 use serde::Serialize;
 
-use crate::metrics::Metrics;
-use crate::view::{View, plain};
+use crate::view::{View, components, plain};
 
 /// The axis of a motion that needs no force, or of a force that turns nothing.
 #[derive(Clone, Debug, Serialize)]
@@ -22,6 +21,9 @@ pub(crate) struct AxisReport {
 #[derive(Clone, Debug, Serialize)]
 pub(crate) struct Translational {
     pub(crate) value: f64,
+    /// Whether another one is the same, so that the axis is one of many.
+    #[serde(skip_serializing_if = "std::ops::Not::not")]
+    pub(crate) repeated: bool,
     /// Of the force that moves the part along it and does not turn it.
     #[serde(flatten)]
     pub(crate) axis: AxisReport,
@@ -31,6 +33,9 @@ pub(crate) struct Translational {
 #[derive(Clone, Debug, Serialize)]
 pub(crate) struct Rotational {
     pub(crate) value: f64,
+    /// Whether another one is the same, so that the axis is one of many.
+    #[serde(skip_serializing_if = "std::ops::Not::not")]
+    pub(crate) repeated: bool,
     /// Of the rotation that needs no force.
     #[serde(flatten)]
     pub(crate) axis: AxisReport,
@@ -48,50 +53,52 @@ pub(crate) struct Rotational {
 }
 
 impl AxisReport {
-    /// The axis of a rotation, written in `view`.
-    pub(super) fn of_rotation<const N: usize, const M: usize>(
-        axis: &Axis,
-        view: &View<N, M>,
-    ) -> Self {
-        let (direction, axis_point) = view.axis(axis);
-        Self { direction, axis_point, pitch: plain(axis.pitch) }
+    /// The axis of a rotation of a part of dimension `N`.
+    fn of_rotation<const N: usize>(axis: &Axis) -> Self {
+        let mut axis_point = components(axis.point);
+        axis_point.truncate(N);
+        Self { direction: components(axis.direction), axis_point, pitch: plain(axis.pitch) }
     }
 
     /// The axis of a force, whose direction is one of the plane for a planar part.
-    fn of_force<const N: usize, const M: usize>(axis: &Axis, view: &View<N, M>) -> Self {
-        let mut report = Self::of_rotation(axis, view);
+    fn of_force<const N: usize>(axis: &Axis) -> Self {
+        let mut report = Self::of_rotation::<N>(axis);
         report.direction.truncate(N);
         report
     }
 }
 
 impl Translational {
-    /// Those of `principal`, ascending.
-    pub(super) fn all<const N: usize, const M: usize>(
-        principal: &Principal<N, M>,
-        view: &View<N, M>,
-    ) -> Vec<Self> {
-        let found = principal.translational().values.into_iter().zip(principal.wrench_axes());
-        found.map(|(value, axis)| Self { value, axis: AxisReport::of_force(&axis, view) }).collect()
+    /// Those of `principal`, written in the frame of the report, ascending.
+    pub(super) fn all<const N: usize, const M: usize>(principal: &Principal<N, M>) -> Vec<Self> {
+        let (sigma, axes) = (principal.translational().values, principal.wrench_axes());
+        let equal = |i: usize| sigma[i] - sigma[i - 1] <= REPEATED * sigma[N - 1];
+        let one = |i: usize| Self {
+            value: sigma[i],
+            repeated: (i > 0 && equal(i)) || (i + 1 < N && equal(i + 1)),
+            axis: AxisReport::of_force::<N>(&axes[i]),
+        };
+        (0..N).map(one).collect()
     }
 }
 
 impl Rotational {
-    /// Those of `metrics`, ascending.
+    /// Those of `principal`, written in the frame of the report, ascending, with their equivalent
+    /// stiffnesses in that of the file.
     pub(super) fn all<const N: usize, const M: usize>(
-        metrics: &Metrics<N, M>,
+        principal: &Principal<N, M>,
+        rotations: &[EquivalentStiffness<N, M>; M],
         view: &View<N, M>,
     ) -> Vec<Self> {
-        let (values, axes) =
-            (metrics.principal.rotational().values, metrics.principal.twist_axes());
-        let rotations = &metrics.quality.rotations;
+        let (mu, axes) = (principal.rotational().values, principal.twist_axes());
         let one = |i: usize| {
             let EquivalentStiffness { value, rotation, farthest, multiplicity, .. } = rotations[i];
             let repeated = multiplicity > 1;
             Self {
-                value: values[i],
-                axis: AxisReport::of_rotation(&axes[i], view),
-                reach: rotations[i].reach(),
+                value: mu[i],
+                repeated,
+                axis: AxisReport::of_rotation::<N>(&axes[i]),
+                reach: rotations[i].reach,
                 deflection: farthest.value,
                 farthest_point: view.point(farthest.point),
                 farthest_corner: farthest.corner,

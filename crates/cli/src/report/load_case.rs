@@ -17,30 +17,41 @@ pub(crate) struct LoadCaseReport {
     #[serde(skip_serializing_if = "Option::is_none")]
     pub(crate) name: Option<String>,
     pub(crate) force: Vec<f64>,
-    /// About the frame's origin.
-    #[serde(serialize_with = "in_plane_a_number")]
-    pub(crate) torque: Vec<f64>,
-    pub(crate) displacement: Displacement,
+    /// Where the force acts; none if there is a couple only.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(crate) point: Option<Vec<f64>>,
+    /// Besides the force, if the file has one.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(crate) couple: Option<Turning>,
+    /// Of force and couple about the frame's origin.
+    pub(crate) torque: Turning,
+    pub(crate) displacement: DisplacementReport,
     pub(crate) points: Vec<PointReport>,
     pub(crate) largest: LargestReport,
     /// In the order of the contacts.
     pub(crate) contact_forces: Vec<ContactForce>,
     #[serde(skip_serializing_if = "Option::is_none")]
     pub(crate) first_to_lift_off: Option<LiftOffReport>,
+    /// How many times the load can grow until the numbers no longer hold, if ever.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(crate) valid_to: Option<f64>,
     #[serde(skip_serializing_if = "Option::is_none")]
     pub(crate) tolerance: Option<f64>,
-    /// How many times the load can grow until a point moves by the tolerance.
+    /// How many times the load can grow until a point moves by the tolerance, if nothing lifts off.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub(crate) margin: Option<f64>,
 }
 
+/// A torque or a rotation.
+#[derive(Debug, Serialize)]
+pub(crate) struct Turning(#[serde(serialize_with = "in_plane_a_number")] pub(crate) Vec<f64>);
+
 /// How the part moves.
 #[derive(Debug, Serialize)]
-pub(crate) struct Displacement {
+pub(crate) struct DisplacementReport {
     /// Of its point at the frame's origin.
     pub(crate) translation: Vec<f64>,
-    #[serde(serialize_with = "in_plane_a_number")]
-    pub(crate) rotation: Vec<f64>,
+    pub(crate) rotation: Turning,
 }
 
 /// How a named point moves.
@@ -88,24 +99,28 @@ impl LoadCaseReport {
         analysis: &Analysis<'_, N, M>,
         response: &Response<'_, N, M>,
     ) -> Self {
-        let (view, deflection) = (&analysis.view, &response.deflection);
-        let (force, torque) = view.wrench(&response.case.wrench);
-        let (translation, rotation) = view.twist(&deflection.twist);
-        let moved = |point: Vector<N>| view.direction(deflection.at(point));
-        let largest = &deflection.largest;
+        let Response { case, displacement, .. } = response;
+        let (view, largest) = (&analysis.view, &displacement.largest);
+        let origin = view.frame().origin();
+        let load = case.about(origin);
+        let moved = |point: Vector<N>| view.direction(displacement.at(point));
+        let turning = |turning: Vector<M>| Turning(view.turning(turning));
+        let rotation = turning(displacement.twist.angular);
         let named = |NamedPoint { name, point }: &NamedPoint<N>| PointReport {
             name: name.clone(),
             point: view.point(*point),
             displacement: moved(*point),
-            distance: deflection.at(*point).norm(),
+            distance: displacement.at(*point).norm(),
         };
-        let tolerance = response.case.tolerance;
-        let margin = tolerance.map(|tolerance| deflection.margin(tolerance));
+        let margin = case.tolerance.map(|tolerance| displacement.margin(tolerance));
+        let first_to_lift_off = response.lift_off.and_then(LiftOffReport::new);
         Self {
-            name: response.case.name.clone(),
-            force,
-            torque,
-            displacement: Displacement { translation, rotation },
+            name: case.name.clone(),
+            force: view.direction(load.force),
+            point: case.force.map(|_| view.point(case.point)),
+            couple: case.couple.map(turning),
+            torque: turning(load.torque),
+            displacement: DisplacementReport { translation: moved(origin), rotation },
             points: analysis.points.iter().map(named).collect(),
             largest: LargestReport {
                 point: view.point(largest.point),
@@ -114,8 +129,9 @@ impl LoadCaseReport {
                 distance: largest.value,
             },
             contact_forces: contact_forces(analysis, response),
-            first_to_lift_off: response.lift_off.and_then(LiftOffReport::new),
-            tolerance,
+            valid_to: first_to_lift_off.as_ref().map(|first| first.load_factor),
+            first_to_lift_off,
+            tolerance: case.tolerance,
             margin: margin.filter(|margin| margin.is_finite()),
         }
     }

@@ -1,8 +1,8 @@
 //! What load cases do, in words.
 
 use super::analysis_text::AnalysisText;
-use super::load_case::{ContactForce, LoadCaseReport};
-use super::number::{beside, spot};
+use super::load_case::{ContactForce, LiftOffReport, LoadCaseReport, Turning};
+use super::number::{INVISIBLE, beside, spot};
 use super::page::Page;
 use crate::wording::digits;
 
@@ -11,16 +11,41 @@ impl AnalysisText<'_> {
     pub(super) fn load_cases(&self, page: &mut Page) {
         for (number, case) in self.report.load_cases.iter().enumerate() {
             page.line("");
-            let (units, title) = (self.units(), case.title(number));
-            let (force, torque) = (spot(&case.force, 0.0), units.torques(&case.torque));
-            page.line(format_args!(
-                "{title}: on top of the state at rest, force {force} {}, torque {torque} about \
-                 the frame's origin",
-                units.0.force
-            ));
+            let (title, load) = (case.title(number), self.load(case));
+            page.line(format_args!("{title}: on top of the state at rest, {load}"));
             self.displacements(page, case);
+            self.turn(page, case);
             self.contact_forces(page, case);
             self.limits(page, case);
+        }
+    }
+
+    /// What the file says that acts.
+    fn load(&self, case: &LoadCaseReport) -> String {
+        let units = self.units();
+        let force = case.point.as_ref().map(|point| {
+            format!("force {} {} at {}", spot(&case.force, 0.0), units.0.force, self.spot(point))
+        });
+        let couple = case.couple.as_ref();
+        let couple = couple.map(|Turning(couple)| format!("couple {}", units.torques(couple)));
+        force.into_iter().chain(couple).collect::<Vec<_>>().join(", ")
+    }
+
+    /// The load cases at a glance, a line for each.
+    pub(super) fn load_case_heads(&self, page: &mut Page) {
+        let units = self.units();
+        for (number, case) in self.report.load_cases.iter().enumerate() {
+            let (title, distance) = (case.title(number), units.length(case.largest.distance));
+            let tolerance = case.tolerance.map(|tolerance| units.length(tolerance));
+            let of = tolerance.map_or_else(String::new, |t| format!(", of {t} allowed"));
+            let first = match &case.first_to_lift_off {
+                Some(LiftOffReport { contact, load_factor }) => {
+                    let factor = digits(*load_factor);
+                    format!("contact {contact} lifts off at {factor} times the load")
+                }
+                None => "no contact lifts off".to_owned(),
+            };
+            page.line(format_args!("{title}: {distance} at most{of}; {first}"));
         }
     }
 
@@ -52,6 +77,15 @@ impl AnalysisText<'_> {
         page.table(&rows);
     }
 
+    fn turn(&self, page: &mut Page, case: &LoadCaseReport) {
+        let visible = case.largest.distance / self.report.size;
+        let turn = match &case.displacement.rotation.0[..] {
+            [angle] => beside(visible, *angle),
+            rotation => spot(rotation, visible),
+        };
+        page.line(format_args!("the part turns by {turn} rad"));
+    }
+
     fn contact_forces(&self, page: &mut Page, case: &LoadCaseReport) {
         let unit = &self.report.units.force;
         let head = ["contact".to_owned(), format!("change [{unit}]"), format!("force [{unit}]")];
@@ -59,7 +93,10 @@ impl AnalysisText<'_> {
         let changes = case.contact_forces.iter().map(|contact| contact.change.abs());
         let largest = changes.fold(0.0, f64::max);
         for (i, &ContactForce { change, force }) in case.contact_forces.iter().enumerate() {
-            rows.push(vec![i.to_string(), beside(largest, change), beside(largest, force)]);
+            // A finger cannot pull.
+            let off = force < -INVISIBLE * largest;
+            let force = if off { "off".to_owned() } else { beside(largest, force) };
+            rows.push(vec![i.to_string(), beside(largest, change), force]);
         }
         page.table(&rows);
     }
@@ -77,15 +114,21 @@ impl AnalysisText<'_> {
         let Some(tolerance) = case.tolerance.map(|tolerance| self.units().length(tolerance)) else {
             return;
         };
-        page.line(match case.margin {
-            Some(margin) => {
+        page.line(match (case.margin, &case.first_to_lift_off) {
+            (Some(margin), Some(first)) if margin > first.load_factor => format!(
+                "the tolerance of {tolerance} is kept at least until contact {} lifts off, at {} \
+                 times this load",
+                first.contact,
+                digits(first.load_factor)
+            ),
+            (Some(margin), _) => {
                 let within = if margin < 1.0 { "beyond" } else { "within" };
                 let allowed = digits(margin);
                 format!(
                     "{within} the tolerance of {tolerance}, which allows {allowed} times this load"
                 )
             }
-            None => format!("within the tolerance of {tolerance}: nothing moves"),
+            (None, _) => format!("within the tolerance of {tolerance}: nothing moves"),
         });
     }
 }

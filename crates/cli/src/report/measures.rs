@@ -7,7 +7,7 @@ use serde::Serialize;
 use super::axes::{Rotational, Translational};
 use super::quality::{QualityReport, ReachReport};
 use crate::metrics::Metrics;
-use crate::view::{Rows, View, plain};
+use crate::view::{Rows, View, components, rows};
 
 /// The quality, the principal stiffnesses, and what else does not depend on the frame.
 #[derive(Debug, Serialize)]
@@ -24,9 +24,9 @@ pub(crate) struct MetricsReport {
     #[serde(flatten)]
     pub(crate) in_space: Option<InSpace>,
     /// `K_V`.
-    pub(crate) stiffness_rotational: Rows,
+    pub(crate) restricted_stiffness: Rows,
     /// `C_W`.
-    pub(crate) compliance_translational: Rows,
+    pub(crate) translational_compliance: Rows,
     /// `P_1` about the frame's origin.
     pub(crate) twist_map: Rows,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -75,18 +75,17 @@ impl MetricsReport {
         metrics: &Metrics<N, M>,
         view: &View<N, M>,
     ) -> Self {
-        let principal = &metrics.principal;
-        let about_origin = principal.about(view.frame().origin());
+        let principal = &metrics.principal.in_frame(view.frame());
         Self {
             quality: QualityReport::new(metrics, view),
-            translational: Translational::all(principal, view),
-            rotational: Rotational::all(metrics, view),
-            center_of_compliance: principal.center_of_compliance().map(|c| view.point(c)),
+            translational: Translational::all(principal),
+            rotational: Rotational::all(principal, &metrics.quality.rotations, view),
+            center_of_compliance: principal.center_of_compliance().map(components),
             in_plane: None,
             in_space: None,
-            stiffness_rotational: view.of_rotations(principal.restricted_stiffness()),
-            compliance_translational: view.of_forces(principal.translational_compliance()),
-            twist_map: view.of_coupling(&about_origin.twist_map()),
+            restricted_stiffness: rows(principal.restricted_stiffness()),
+            translational_compliance: rows(principal.translational_compliance()),
+            twist_map: rows(&principal.twist_map()),
             energy_ellipsoids: EnergyEllipsoids::new(principal),
         }
     }
@@ -95,24 +94,24 @@ impl MetricsReport {
 impl InPlane {
     /// What `metrics` of a planar part say besides.
     pub(super) fn new(metrics: &Metrics<2, 1>, view: &View<2, 1>) -> Self {
-        let center = metrics.principal.center().to_array().map(plain);
+        let center = metrics.principal.center();
         let [rotation] = &metrics.quality.rotations;
         Self {
             reach: ReachReport::new(&rotation.farthest, view),
-            center_of_compliance_in_file_frame: (!view.is_of_file()).then(|| center.to_vec()),
+            center_of_compliance_in_file_frame: (!view.is_of_file()).then(|| components(center)),
         }
     }
 }
 
 impl InSpace {
-    /// What `principal` says besides.
-    pub(super) fn new(principal: &Principal<3, 3>, view: &View<3, 3>) -> Self {
+    /// What `principal` says besides, written in the frame of the report.
+    pub(super) fn new(principal: &Principal<3, 3>) -> Self {
         Self {
-            center: view.point(principal.center()),
+            center: components(principal.center()),
             true_center_exists: principal.center_of_compliance().is_some(),
-            loncaric_center_of_stiffness: view.point(principal.loncaric_center_of_stiffness()),
-            loncaric_center_of_compliance: view.point(principal.loncaric_center_of_compliance()),
-            pitch_tensor: view.of_coupling(&principal.pitch_tensor()),
+            loncaric_center_of_stiffness: components(principal.loncaric_center_of_stiffness()),
+            loncaric_center_of_compliance: components(principal.loncaric_center_of_compliance()),
+            pitch_tensor: rows(&principal.pitch_tensor()),
         }
     }
 }

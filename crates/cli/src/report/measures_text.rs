@@ -42,7 +42,7 @@ impl AnalysisText<'_> {
     }
 
     /// What a search could not decide.
-    fn proved(&self, at_least: Option<f64>) -> String {
+    pub(super) fn proved(&self, at_least: Option<f64>) -> String {
         at_least.map_or_else(String::new, |bound| {
             format!("; only {} is proved", self.units().stiffness(bound))
         })
@@ -64,12 +64,12 @@ impl AnalysisText<'_> {
     /// What takes the place of the center of compliance, where there is none.
     fn centers_of_space(&self, page: &mut Page, space: &InSpace) {
         let meaning = "where force and rotation couple symmetrically; no center of compliance";
-        page.row("center", self.spot(&space.center), meaning);
+        page.row("canonical point", self.spot(&space.center), meaning);
         for (label, center, meaning) in [
-            ("  of stiffness", &space.loncaric_center_of_stiffness, "K"),
-            ("  of compliance", &space.loncaric_center_of_compliance, "the inverse of K"),
+            ("Loncaric stiffness", &space.loncaric_center_of_stiffness, "K"),
+            ("Loncaric compliance", &space.loncaric_center_of_compliance, "the inverse of K"),
         ] {
-            let meaning = format!("Loncaric's, where the coupling of {meaning} is symmetric");
+            let meaning = format!("where the coupling of {meaning} is symmetric");
             page.row(label, self.spot(center), meaning);
         }
     }
@@ -89,6 +89,12 @@ impl AnalysisText<'_> {
             rows.push(self.axis_row(name, principal.value, &principal.axis));
         }
         self.axis_table(page, rows, &["pitch"]);
+        if translational.iter().any(|principal| principal.repeated) {
+            page.line(
+                "degenerate: translational stiffnesses are repeated, and any direction between \
+                 theirs is principal; the axes shown are one choice",
+            );
+        }
     }
 
     fn rotations(&self, page: &mut Page, rotational: &[Rotational]) {

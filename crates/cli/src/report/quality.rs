@@ -7,15 +7,13 @@ use super::words::LimitWord;
 use crate::metrics::Metrics;
 use crate::view::View;
 
-/// A stiffness that a search has bounded from below counts as proved if the bound is less by at
-/// most this part of it: the search ends within 16 roundings of the root of its inverse, and the
-/// eigenvalue that is inverted has a few dozen of its own.
-const PROVED: f64 = 128.0 * f64::EPSILON;
-
 /// What a grasp is worth.
 #[derive(Clone, Debug, Serialize)]
 pub(crate) struct QualityReport {
     pub(crate) quality: f64,
+    /// What is proved of it, if that is less.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(crate) quality_at_least: Option<f64>,
     pub(crate) limited_by: LimitWord,
     pub(crate) sigma_min: f64,
     /// The least of all rotations.
@@ -55,6 +53,7 @@ impl QualityReport {
         let Metrics { quality, softest, worst, .. } = metrics;
         Self {
             quality: quality.value,
+            quality_at_least: unproved(quality.value, quality.at_least()),
             limited_by: quality.limited_by.into(),
             sigma_min: quality.translational,
             mu_eq: quality.equivalent(),
@@ -80,5 +79,5 @@ impl ReachReport {
 
 /// The proved bound of a value, unless it proves the value.
 fn unproved(value: f64, at_least: f64) -> Option<f64> {
-    (at_least < value * (1.0 - PROVED)).then_some(at_least)
+    (at_least < value).then_some(at_least)
 }

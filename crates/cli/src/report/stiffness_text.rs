@@ -31,15 +31,20 @@ impl AnalysisText<'_> {
     fn added(&self, page: &mut Page) {
         let (units, count) = (self.units(), self.report.dimension);
         let rows = &self.report.stiffness_preload;
-        let [translation, rotation] = [0..count, count..rows.len()].map(|block| {
-            let entry = |i: usize| rows[i][block.clone()].iter();
-            block.clone().flat_map(entry).fold(0.0, |m: f64, v| m.max(v.abs()))
+        let (slides, turns) = (0..count, count..rows.len());
+        let blocks =
+            [(slides.clone(), slides.clone()), (slides, turns.clone()), (turns.clone(), turns)];
+        let [translation, coupling, rotation] = blocks.map(|(down, along)| {
+            let entry =
+                |row: &Vec<f64>| row[along.clone()].iter().fold(0.0, |m: f64, v| m.max(v.abs()));
+            rows[down].iter().map(entry).fold(0.0, f64::max)
         });
-        if self.report.order == OrderWord::Second && translation.max(rotation) > 0.0 {
+        if self.report.order == OrderWord::Second && translation.max(coupling).max(rotation) > 0.0 {
             page.line(format_args!(
                 "of this, preloads, curvatures and loads add up to {} to an entry for \
-                 translations, and {} for rotations",
+                 translations, {} for the coupling, and {} for rotations",
                 units.stiffness(translation),
+                units.force(coupling),
                 units.torque(rotation)
             ));
         }

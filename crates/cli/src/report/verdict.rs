@@ -2,7 +2,7 @@
 
 use clench::contact::Order;
 use clench::metrics::MetricsError;
-use clench::screw::{Axis, Vector};
+use clench::screw::Vector;
 use clench::stiffness::{BALANCED, Stability};
 use serde::Serialize;
 
@@ -11,6 +11,7 @@ use super::axes::AxisReport;
 use super::number::{INVISIBLE, spot};
 use crate::analyze::Analysis;
 use crate::held::NotHeld;
+use crate::view::plain;
 use crate::wording::{digits, rough_digits};
 
 /// A stiffness is negative, and not the rounding of zero, if it is below minus this part of the
@@ -101,9 +102,10 @@ fn escape_of<const N: usize, const M: usize>(
             let motion = FreeMotion::Translation { direction };
             Some(Escape { motion, drive: drive(value, largest) })
         }
-        MetricsError::RotationNotHeld { axis, point, pitch, value, scale } => {
-            let axis = Axis { direction: axis.into(), point: point.into(), pitch };
-            let motion = FreeMotion::Rotation(AxisReport::of_rotation(&axis, &analysis.view));
+        MetricsError::RotationNotHeld { axis, value, scale } => {
+            let (direction, axis_point) = analysis.view.axis(&axis);
+            let pitch = plain(axis.pitch);
+            let motion = FreeMotion::Rotation(AxisReport { direction, axis_point, pitch });
             Some(Escape { motion, drive: drive(value, scale) })
         }
         _ => None,

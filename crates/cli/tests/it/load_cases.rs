@@ -39,6 +39,7 @@ fn a_planar_load_case_has_the_answer_that_is_computed_by_hand() {
     let case = &report["load_cases"][0];
     assert_eq!((&case["name"], &case["tolerance"]), (&"milling".into(), &0.02.into()));
     assert_eq!(numbers(&case["force"]), [-4.0, 1.0]);
+    assert_eq!((numbers(&case["point"]), &case["couple"]), (vec![20.0, 16.0], &15.0.into()));
     // About the origin 20 * 1 + 16 * 4 + 15, about the middle 10 * 1 + 6 * 4 + 15.
     assert_eq!(case["torque"], 99.0);
     let turn = 49.0 / 72e3;
@@ -75,6 +76,7 @@ fn a_planar_load_case_has_the_answer_that_is_computed_by_hand() {
     assert_eq!(case["first_to_lift_off"]["contact"], 1);
     let factor = number(&case["first_to_lift_off"]["load_factor"]);
     assert_close(factor, -10.0 / changes[1], ROUNDING, factor, "load factor");
+    assert_eq!(case["valid_to"], factor);
     assert_eq!(list(&report["warnings"]).len(), 0);
 }
 
@@ -92,6 +94,8 @@ fn a_frame_changes_the_coordinates_of_load_cases_only() {
     assert_all_close(&numbers(&there["force"]), &[1.0, 4.0], ROUNDING, "force");
     // About (3, 5): 17 * 1 + 11 * 4 + 15.
     assert_close(number(&there["torque"]), 76.0, ROUNDING, 76.0, "torque");
+    assert_all_close(&numbers(&there["point"]), &[11.0, -17.0], ROUNDING, "where it acts");
+    assert_eq!(there["couple"], 15.0);
     assert_all_close(&numbers(&there["points"][0]["point"]), &[9.0, -9.0], ROUNDING, "point");
     for key in ["points", "largest"] {
         let [old, new] = [&here, &there].map(|case| match &case[key] {
@@ -126,7 +130,8 @@ fn a_torque_of_space_turns_a_cube_about_its_middle() {
     assert_all_close(&changes, &expected, ROUNDING, "changes");
     let factor = number(&case["first_to_lift_off"]["load_factor"]);
     assert_close(factor, 0.5 / 0.15, ROUNDING, factor, "load factor");
-    for key in ["name", "margin", "tolerance"] {
+    assert_eq!(numbers(&case["couple"]), [0.0, 0.0, 0.3]);
+    for key in ["name", "margin", "tolerance", "point"] {
         assert_eq!(case.get(key), None, "{key}");
     }
     assert_eq!((list(&case["points"]).len(), &report["warnings"]), (0, &Value::Array(vec![])));
@@ -138,7 +143,75 @@ fn a_load_of_nothing_moves_nothing() {
     let report = report("nothing", &format!("{SQUARE}{case}"), "");
     let case = &report["load_cases"][0];
     assert_eq!((&case["largest"]["distance"], &case["tolerance"]), (&0.0.into(), &1.0.into()));
-    assert_eq!((case.get("margin"), case.get("first_to_lift_off")), (None, None));
+    for key in ["margin", "first_to_lift_off", "valid_to", "couple"] {
+        assert_eq!(case.get(key), None, "{key}");
+    }
+}
+
+/// Coordinates are whole numbers at both places, and so the same from the part.
+#[test]
+fn a_grasp_far_from_the_origin_is_answered_alike() {
+    let square = |off: f64, along: f64| {
+        let at = |x: f64, y: f64| format!("[{}, {}]", x + off, y + along);
+        let corners = [at(0.0, 0.0), at(20.0, 0.0), at(20.0, 20.0), at(0.0, 20.0)].join(", ");
+        let contacts = [at(7.0, 0.0), at(20.0, 13.0), at(13.0, 20.0), at(0.0, 7.0)];
+        let contacts =
+            contacts.map(|point| format!("[[contacts]]\npoint = {point}\npreload = 10\n"));
+        format!(
+            "[part.planar]\noutline = [{corners}]\nstiffness = 2000\n{}\
+             [[points]]\nname = \"bore\"\npoint = {}\n\
+             [[load_cases]]\nforce = [-4, 1]\npoint = {}\ntorque = 15\n",
+            contacts.concat(),
+            at(12.0, 14.0),
+            at(20.0, 16.0)
+        )
+    };
+    let [here, there] = [("here", 0.0, 0.0), ("there", 2e7, -1.5e7)].map(|(name, off, along)| {
+        let name = format!("far-{name}");
+        report(&name, &square(off, along), " --order second")["load_cases"][0].clone()
+    });
+    let far = 1e-9;
+    for key in ["largest", "points"] {
+        let [old, new] = [&here, &there].map(|case| match &case[key] {
+            Value::Array(points) => points[0].clone(),
+            point => point.clone(),
+        });
+        let [distance, moved] = [&old, &new].map(|point| number(&point["distance"]));
+        assert_close(moved, distance, far, distance, key);
+        let [wanted, found] = [&old, &new].map(|point| numbers(&point["displacement"]));
+        assert_all_close(&found, &wanted, far * distance, key);
+    }
+    let changes = |case: &Value| -> Vec<f64> {
+        list(&case["contact_forces"]).iter().map(|contact| number(&contact["change"])).collect()
+    };
+    assert_all_close(&changes(&there), &changes(&here), far, "changes");
+    let [old, new] = [&here, &there].map(|case| number(&case["valid_to"]));
+    assert_close(new, old, far, old, "load factor");
+}
+
+/// A finger that has let go resists no more, so that a margin beyond that is none.
+#[test]
+fn a_margin_beyond_the_lift_off_is_not_promised() {
+    // The largest displacement is 0.0105, and contact 1 lifts off at 1.64 times the load.
+    for (tolerance, wanted) in [
+        ("0.017", "within the tolerance of 0.017 L, which allows 1.6157 times this load"),
+        (
+            "0.018",
+            "the tolerance of 0.018 L is kept at least until contact 1 lifts off, at 1.64384 times",
+        ),
+    ] {
+        let case = MILLING.replace("tolerance = 0.02", &format!("tolerance = {tolerance}"));
+        let file = format!("{SQUARE}{case}");
+        let ran = run(&format!("margin-{tolerance}"), &file, " --order first");
+        assert_says(&ran.out, &[wanted]);
+        assert_eq!(ran.out.matches("allows").count(), usize::from(tolerance == "0.017"));
+        let name = format!("margin-json-{tolerance}");
+        let report = report(&name, &file, " --order first");
+        let case = &report["load_cases"][0];
+        assert_eq!(case["valid_to"], case["first_to_lift_off"]["load_factor"]);
+        let margin = number(&case["margin"]);
+        assert_eq!(margin > number(&case["valid_to"]), tolerance == "0.018");
+    }
 }
 
 #[test]
@@ -151,14 +224,19 @@ fn text_and_warnings_say_what_a_load_case_does() {
     assert_says(
         &ran.out,
         &[
-            "load case 0 (milling): on top of the state at rest, force (-4, 1) F, torque 99 F L",
+            "limited by rotation\nload case 0 (milling): 0.0105218 L at most, of 0.02 L allowed; \
+             contact 1 lifts off at 1.64384 times the load\nload case 1: 0.0210435 L at most",
+            "load case 0 (milling): on top of the state at rest, force (-4, 1) F at (20, 16) L, \
+             couple 15 F L\n",
+            "the part turns by 0.000680556 rad\n",
             "corner 2, the largest  (20, 20)  (-0.00780556, 0.00705556)  0.0105218",
             "bore                   (12, 14)  (-0.00372222, 0.00161111)  0.00405594",
             "contact  change [F]  force [F]\n0        3.58333     13.5833\n",
             "contact 1 lifts off first, at 1.64384 times this load",
-            "within the tolerance of 0.02 L, which allows 1.90082 times this load",
+            "the tolerance of 0.02 L is kept at least until contact 1 lifts off, at 1.64384 times",
             "load case 1: on top",
-            "beyond the tolerance of 0.02 L, which allows 0.950411 times this load",
+            "1        -12.1667    off\n",
+            "the tolerance of 0.02 L is kept at least until contact 1 lifts off, at 0.821918 times",
             "warning   under load case 1 contact 1 lifts off at 0.821918 times the load: a finger",
             "warning   under load case 1 the part moves by 0.0210435 L, beyond the tolerance",
         ],
@@ -166,7 +244,13 @@ fn text_and_warnings_say_what_a_load_case_does() {
     assert_eq!(ran.out.matches("warning").count(), 2, "{}", ran.out);
     let nothing = "[[load_cases]]\ntorque = 0\ntolerance = 0.02\n";
     let ran = run("text-nothing", &format!("{SQUARE}{nothing}"), "");
-    let pieces = ["no contact lifts off", "within the tolerance of 0.02 L: nothing moves"];
+    let pieces = [
+        "load case 0: 0 L at most, of 0.02 L allowed; no contact lifts off\n",
+        "on top of the state at rest, couple 0 F L\n",
+        "the part turns by 0 rad\n",
+        "no contact lifts off, however large the load",
+        "within the tolerance of 0.02 L: nothing moves",
+    ];
     assert_says(&ran.out, &pieces);
 }
 
@@ -198,7 +282,11 @@ fn refused(name: &str, part: &str, lines: &str, pieces: &[&str]) {
 fn load_cases_that_are_none_are_refused() {
     for (name, fields, pieces) in [
         ("nothing", "", ["load_cases[0]: ", "neither `force` nor `torque`", "at least one"]),
-        ("where", "point = [1, 2]", ["load_cases[0]: ", "neither `force` nor `torque`", ""]),
+        (
+            "where",
+            "point = [1, 2]",
+            ["load_cases[0]: ", "neither `force` nor `torque`", "at least one"],
+        ),
         ("nan", "force = [nan, 1]", ["load_cases[0].force[0]: ", "found NaN", "a finite number"]),
         ("inf", "torque = inf", ["load_cases[0].torque: ", "found inf", "a finite number"]),
         ("one", "force = [1]", ["load_cases[0].force: ", "found a list of 1", "[x, y]"]),
@@ -297,5 +385,10 @@ fn points_that_are_none_are_refused() {
     }
     // So far away that it moves out of range.
     let far = BORE.replace("[12, 14]", "[1e306, 0]");
-    refused("far", SQUARE, &format!("{far}{MILLING}"), &["load_cases[0]: ", "out of range"]);
+    refused(
+        "far",
+        SQUARE,
+        &format!("{far}{MILLING}"),
+        &["points[0]: ", "load_cases[0] moves the point out"],
+    );
 }

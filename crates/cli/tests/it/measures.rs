@@ -104,7 +104,7 @@ fn matrices_and_axes_belong_to_the_stiffness_of_the_report() {
 /// `K [P_1; I] = [0; K_V]` and `K_11 C_W = I`.
 fn check_matrices(report: &Value, stiffness: &Rows, near: impl Fn(&[f64], &[f64], &str)) {
     let [map, restricted, compliance] =
-        ["twist_map", "stiffness_rotational", "compliance_translational"]
+        ["twist_map", "restricted_stiffness", "translational_compliance"]
             .map(|key| rows(&report[key]));
     let (n, m) = (map.len(), restricted.len());
     let unit = |count: usize, j: usize| (0..count).map(move |i| f64::from(u8::from(i == j)));
@@ -226,10 +226,47 @@ fn a_cube_held_alike_from_all_sides_is_degenerate() {
         &[
             "quality   Q = 1 F/L, limited by rotation",
             "center of compliance  (1, 1, 1) L",
+            "degenerate: translational stiffnesses are repeated, and any direction between theirs",
             "degenerate: rotational stiffnesses are repeated, and the same about any axis between",
         ],
     );
     assert!(!text.contains("Loncaric"), "{text}");
+    for key in ["translational", "rotational"] {
+        assert!(list(&report[key]).iter().all(|principal| principal["repeated"] == true), "{key}");
+    }
+}
+
+/// In the example the fingers along y are those along z.
+#[test]
+fn stiffnesses_that_are_repeated_are_marked() {
+    let report = example("cube-grasp.toml", "0,0,0,0,0,0");
+    let repeated = |key: &str| -> Vec<bool> {
+        let principals = list(&report[key]).iter();
+        principals.map(|principal| principal.get("repeated") == Some(&true.into())).collect()
+    };
+    assert_eq!(repeated("translational"), [true, true, false]);
+    assert_eq!(repeated("rotational"), [false; 3]);
+}
+
+/// Their values are wider than the column of the numbers above.
+#[test]
+fn centers_of_space_stand_in_one_column_with_their_meanings() {
+    let output = command(["analyze", "cube-grasp.toml"])
+        .current_dir(concat!(env!("CARGO_MANIFEST_DIR"), "/../../parts"))
+        .output();
+    let text = output.map(|output| Ran::new(&output)).unwrap().out;
+    let column = |label: &str, meaning: &str| {
+        let line = text.lines().find(|line| line.starts_with(label));
+        line.and_then(|line| line.find(meaning))
+    };
+    let columns = [
+        column("canonical point ", "where force and rotation couple symmetrically"),
+        column("Loncaric stiffness ", "where the coupling of K is symmetric"),
+        column("Loncaric compliance ", "where the coupling of the inverse of K is symmetric"),
+        column("sigma_min ", "least translational stiffness"),
+        column("stability ", "stable to first order"),
+    ];
+    assert!(columns[0].is_some() && columns.iter().all(|c| *c == columns[0]), "{columns:?}");
 }
 
 /// See the file: 2 f (b^2 - c^2) (1 / c - 1 / b) about the longest axis, and the end of the middle
@@ -267,33 +304,34 @@ fn smooth_parts_have_a_quality_and_no_corners() {
     assert_says(&text, &["Q_pt", "force per deflection: at (", "the largest  ("]);
 }
 
-/// On what is nearly a ball so many directions tie that the search ends before its proof.
+/// On what is nearly a ball so many directions tie that the search ends before its proof. Flat jaws
+/// with the preload `f_i` at the ends of the semi-axes resist rotations about the first one by
+/// `2 (b^2 - c^2) (f_c / c - f_b / b)`: as much as about the last one, so that Q is searched for
+/// too.
 #[test]
 fn what_a_search_could_not_prove_is_said() {
-    let jaw = |point: [f64; 3], along: &str| {
+    let [a, b, c] = [100.0, 99.99, 99.98].map(f64::sqrt);
+    let jaw = |point: [f64; 3], along: &str, preload: f64| {
         let finger = format!("finger = {{ curvatures = [0, 0], direction = {along} }}");
-        format!("[[contacts]]\npoint = {point:?}\npreload = 1e4\n{finger}\n")
+        format!("[[contacts]]\npoint = {point:?}\npreload = {preload}\n{finger}\n")
     };
-    let [a, b, c] = [10.0, 10.001, 10.002];
-    let jaws = [
-        jaw([a, 0.0, 0.0], "[0, 1, 0]"),
-        jaw([-a, 0.0, 0.0], "[0, 1, 0]"),
-        jaw([0.0, b, 0.0], "[1, 0, 0]"),
-        jaw([0.0, -b, 0.0], "[1, 0, 0]"),
-        jaw([0.0, 0.0, c], "[1, 0, 0]"),
-        jaw([0.0, 0.0, -c], "[1, 0, 0]"),
-    ];
+    let jaws = [1.0, -1.0].map(|side| {
+        let first = jaw([side * a, 0.0, 0.0], "[0, 1, 0]", 1e3 * a);
+        let second = jaw([0.0, side * b, 0.0], "[1, 0, 0]", 2e3 * b);
+        first + &second + &jaw([0.0, 0.0, side * c], "[1, 0, 0]", 3e3 * c)
+    });
     let part = format!("[part.spatial]\nellipsoid = [{a}, {b}, {c}]\nstiffness = 1e6\n");
     let folder = Folder::new("measures-ball");
     folder.write("ball.toml", part + &jaws.concat());
     let report = folder.json("analyze ball.toml");
-    for key in ["quality_rotational", "worst_point_stiffness"] {
+    assert_eq!(report["degenerate"], true);
+    for key in ["quality", "quality_rotational", "worst_point_stiffness"] {
         let [value, least] =
             [key.to_owned(), format!("{key}_at_least")].map(|k| number(&report[k]));
         assert!(least < value && least > 0.9 * value, "{key}: {least:e} {value:e}");
     }
     let text = folder.run("analyze ball.toml").out;
-    assert_eq!(text.matches("; only ").count(), 2, "{text}");
+    assert_eq!(text.matches("; only ").count(), 3, "{text}");
 }
 
 /// The worst point of Figure 1 has 0.73 times the stiffness of its springs, whose inverse is more

@@ -28,8 +28,8 @@ pub(crate) fn check_principal(name: &str, report: &Value, expected: &Value) {
     }
     let spread = DIGITS + f64::EPSILON * condition(&sigma).max(condition(&mu));
     for (key, reference) in [
-        ("stiffness_rotational", "K_V"),
-        ("compliance_translational", "C_W"),
+        ("restricted_stiffness", "K_V"),
+        ("translational_compliance", "C_W"),
         ("twist_map", "P1"),
         ("pitch_tensor", "S"),
         ("loncaric_center_of_stiffness", "centre_of_stiffness"),

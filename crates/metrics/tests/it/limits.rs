@@ -196,7 +196,8 @@ fn a_soft_translation_does_not_hide_a_free_rotation() {
     assert!(matches!(found, Err(MetricsError::RotationNotHeld { .. })), "{found:?}");
 }
 
-/// Six springs that hold all, the softest translation a millionth of the stiffest; `mu` by 40 digits.
+/// Six springs that hold all, the softest translation a millionth of the stiffest; `mu` by 40
+/// digits.
 #[test]
 fn a_soft_translation_costs_no_digits() {
     let t = 1.0 / 1024.0;

@@ -20,7 +20,8 @@ const ALIKE: f64 = 1.0 / 64.0;
 ///
 /// By cyclic Jacobi rotations, which stay accurate for repeated eigenvalues (the vectors are then
 /// some orthonormal basis of the eigenspace) and for any scale, and find small eigenvalues of a
-/// positive definite matrix to their own relative precision. The component of largest magnitude
+/// positive definite matrix to their own relative precision, as far as its entries determine them:
+/// if it is well conditioned once its diagonal is scaled to 1. The component of largest magnitude
 /// of each vector is positive.
 ///
 /// ```

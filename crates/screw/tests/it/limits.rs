@@ -17,6 +17,17 @@ fn a_semidefinite_matrix_is_refused_at_the_pivot_that_fails() {
     assert!(message.contains("pivot 1"), "{message}");
 }
 
+/// Squares of such numbers are zero, or overflow.
+#[test]
+fn tiny_and_huge_turns_are_turns_about_their_axes() {
+    for size in [1e-170, 1e-155, 1.0, 1e155, 1e170] {
+        let turn = planar::Twist { linear: [0.0, -2.0 * size].into(), angular: [size].into() };
+        let Screw::Axis { axis, magnitude } = turn.screw() else { panic!("{size}") };
+        assert!((magnitude / size - 1.0).abs() < 1e-15);
+        assert!((axis.point[0] - 2.0).abs() < 1e-15 && axis.direction[2] == 1.0);
+    }
+}
+
 #[test]
 fn a_stiffness_in_si_units_is_not_called_singular() {
     let small = Mat::new([[2e-300, 1e-300], [1e-300, 2e-300]]);

@@ -12,7 +12,9 @@ const MAX_STEPS: usize = 64;
 /// No denominator cancels. At `s = 0` the other coordinates may leave room for the one whose gap is
 /// 0 (the *hard case*): it fills the vector up, its sign free and here positive.
 pub(super) fn on_sphere<const N: usize>(gradient: Vector<N>, gaps: Vector<N>) -> (Vector<N>, f64) {
-    let numerators = Vector::<N>::from_fn(|i| gradient[i].abs());
+    // A gradient that is no normal number is none: what it is divided by may be as small.
+    let normal = |x: f64| if x.is_normal() { x.abs() } else { 0.0 };
+    let numerators = Vector::<N>::from_fn(|i| normal(gradient[i]));
     let s = largest_root(numerators, gaps);
     let mut unit = quotients(numerators, gaps, s);
     if s <= 0.0 {

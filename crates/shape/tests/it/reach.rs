@@ -218,3 +218,58 @@ fn extremes_of_no_points_or_of_infinite_ones_are_refused() {
     let fault = ExtremePoints::new(&[[0.0, 1.0], [f64::NAN, 0.0]]);
     assert!(matches!(fault, Err(BodyError::PointOutOfRange { point: 1, component: 0, .. })));
 }
+
+/// A prism of many corners: its two faces are hulled without looking at them again and again, and
+/// coordinates far below the largest do not confuse the signs of volumes.
+#[test]
+fn faces_of_many_corners_and_coordinates_of_unlike_size_have_their_hull() {
+    let ring = |i: usize| std::f64::consts::TAU * (i / 2) as f64 / 2000.0;
+    let prism: Vec<[f64; 3]> =
+        (0..4000).map(|i| [ring(i).cos(), ring(i).sin(), (i % 2) as f64]).collect();
+    assert_eq!(ExtremePoints::new(&prism).unwrap().points().len(), 4000);
+
+    let values = [0.0, 1.0, 2.0, 1e-20, 1e-55, 1e-89, 1e-91, 1e-110];
+    let r = &mut Random::new(77);
+    for _ in 0..3000 {
+        let cloud: Vec<[f64; 3]> = (0..11).map(|_| [0, 1, 2].map(|_| values[r.below(8)])).collect();
+        let extremes = ExtremePoints::new(&cloud).unwrap();
+        for axis in 0..3 {
+            let largest = |points: &mut dyn Iterator<Item = f64>| points.fold(0.0, f64::max);
+            let found = largest(&mut extremes.points().iter().map(|p| p[axis]));
+            assert!((found - largest(&mut cloud.iter().map(|p| p[axis]))).abs() < 1e-89);
+        }
+    }
+    // In the plane below what squares can say.
+    let s = 1e-125;
+    let square = [[0.0, 0.0], [s, 0.0], [0.0, s], [s, s], [2.0 * s, 0.5 * s]];
+    assert_eq!(ExtremePoints::new(&square).unwrap().points().len(), 5);
+}
+
+/// Faces full of points in one plane, exactly: the support in every direction of whole numbers.
+#[test]
+fn lattice_clouds_have_their_support_exactly() {
+    let r = &mut Random::new(78);
+    let steps = [-2.0, -1.0, 0.0, 1.0, 2.0];
+    for _ in 0..2000 {
+        let (count, size) = (4 + r.below(30), 2 + r.below(3));
+        let cloud: Vec<[f64; 3]> =
+            (0..count).map(|_| [0, 1, 2].map(|_| r.below(size) as f64)).collect();
+        let extremes = ExtremePoints::new(&cloud).unwrap();
+        for i in 0..125 {
+            let along = Vector::new([steps[i % 5], steps[i / 5 % 5], steps[i / 25]]);
+            let all = cloud.iter().map(|&p| along.dot(p.into())).fold(f64::MIN, f64::max);
+            let found = extremes.points().iter().map(|p| along.dot(*p)).fold(f64::MIN, f64::max);
+            assert_eq!(found, all, "{cloud:?}");
+        }
+    }
+}
+
+/// A component of the gradient that is no normal number.
+#[test]
+fn an_offset_of_a_denormal_length_does_not_matter() {
+    let body = Ellipsoid::new(Vector::ZERO, [2.0, 1.0, 1.0]).unwrap();
+    let offset = Vector::new([1e-310, 1.5, 0.0]);
+    let found = Extent::from(&body).farthest_image(Vector::ZERO, offset, &Mat::IDENTITY);
+    let wanted = Extent::from(&body).farthest([0.0, -1.5, 0.0].into());
+    assert_close(found.value, wanted.value, 1e-14, wanted.value, "farthest");
+}

@@ -26,4 +26,7 @@ pub(crate) enum LoadFault {
          are nearer to 1"
     )]
     OutOfRange,
+    /// A named point so far away that its displacement is not a finite number.
+    #[error("{case} moves the point out of range, expected one nearer to the part")]
+    PointOutOfRange { case: Place },
 }
