@@ -116,9 +116,9 @@ impl Hull {
     }
 
     /// Whether `eye` sees a facet across `edge`, which belongs to one that it sees: from outside
-    /// its plane, or, in its plane, unless the edge is between them. Then the facet stays, and the new
-    /// one beside it is no degenerate triangle. (Otherwise each new point of a face of many corners
-    /// would replace all of its facets.)
+    /// its plane, or, in its plane, unless the edge is between them. Then the facet stays, and the
+    /// new one beside it is no degenerate triangle. (Otherwise each new point of a face of many
+    /// corners would replace all of its facets.)
     fn sees(&self, eye: usize, facet: usize, edge: [usize; 2]) -> bool {
         let side = self.side(facet, eye);
         if side != 0.0 {
