@@ -91,7 +91,7 @@ impl AnalysisText<'_> {
         self.axis_table(page, rows, &["pitch"]);
         if translational.iter().any(|principal| principal.repeated) {
             page.line(
-                "degenerate: translational stiffnesses are repeated, and any direction between \
+                "repeated: translational stiffnesses are equal, and any direction between \
                  theirs is principal; the axes shown are one choice",
             );
         }

@@ -226,7 +226,7 @@ fn a_cube_held_alike_from_all_sides_is_degenerate() {
         &[
             "quality   Q = 1 F/L, limited by rotation",
             "center of compliance  (1, 1, 1) L",
-            "degenerate: translational stiffnesses are repeated, and any direction between theirs",
+            "repeated: translational stiffnesses are equal, and any direction between theirs",
             "degenerate: rotational stiffnesses are repeated, and the same about any axis between",
         ],
     );
