@@ -41,6 +41,8 @@ pub(crate) struct Analysis<'a, const N: usize, const M: usize> {
     pub(crate) points: &'a [NamedPoint<N>],
     /// To the load cases, in their order; none if the part is not held.
     pub(crate) responses: Vec<Response<'a, N, M>>,
+    /// How many load cases have no response, since the part is not held.
+    pub(crate) unanswered: usize,
 }
 
 impl<const N: usize, const M: usize> Analysis<'_, N, M> {
@@ -125,6 +127,7 @@ impl<'a> Question<'a> {
             loaded,
             metrics,
             points: &found.points,
+            unanswered: found.load_cases.len() - responses.len(),
             responses,
         })
     }

@@ -188,8 +188,14 @@ impl Arguments {
     }
 }
 
+/// Coordinates of a frame up to here leave products of three of them in the range of numbers.
+const LARGEST_FRAME: f64 = 1e90;
+
 fn frame(text: &str) -> Result<FrameArgument, String> {
     let numbers: Vec<f64> = text.split(',').map(finite).collect::<Result<_, _>>()?;
+    if let Some(number) = numbers.iter().find(|number| number.abs() > LARGEST_FRAME) {
+        return Err(format!("found {number:e}, expected numbers up to {LARGEST_FRAME:e}"));
+    }
     match numbers.len() {
         3 | 6 => Ok(FrameArgument(numbers)),
         count => Err(format!(

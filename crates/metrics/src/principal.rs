@@ -23,7 +23,7 @@ pub struct Principal<const N: usize, const M: usize> {
     restricted: Mat<M, M>,
     /// `P_1 = -K_11^-1 K_12` about `origin`: the translation that goes with a rotation.
     twist_map: Mat<N, M>,
-    /// What `mu` is the difference of: the trace of `K_22`, and what force-free rotations carry.
+    /// The trace of `K_22` about the origin that the computation started from.
     scale: f64,
     /// How far from the frame's origin the stiffness was formed (length).
     distance: f64,
@@ -78,9 +78,6 @@ impl<const N: usize, const M: usize> Principal<N, M> {
         let twist_map = translational_compliance * stiffness.coupling * -1.0;
         let restricted = stiffness.rotational + stiffness.coupling.transpose() * twist_map;
         let rotational = SymmetricEigen::new(&restricted)?;
-        // What is taken from K_22 is as large as `sigma |P_1|^2` at most, and rounds by that.
-        let carried = twist_map.rows().as_flattened().iter().map(|x| x * x).sum::<f64>();
-        let scale = scale + translational.values[N - 1] * carried;
         let principal = Self {
             origin,
             translational,
@@ -92,6 +89,7 @@ impl<const N: usize, const M: usize> Principal<N, M> {
             distance: origin.max_abs(),
         };
         let value = rotational.values[0];
+        let scale = scale + carried(&stiffness.translational, &twist_map);
         if value > ZERO_STIFFNESS * scale {
             return Ok(principal);
         }
@@ -215,6 +213,18 @@ impl<const N: usize, const M: usize> Principal<N, M> {
         let arm = (self.scale / sigma.iter().sum::<f64>()).sqrt();
         ZERO_STIFFNESS * (arm + self.distance) * (sigma[N - 1] / sigma[0])
     }
+}
+
+/// What the rounding of `K_11` is multiplied with when it is taken from `K_22`: an entry rounds
+/// with the root of the product of its two diagonal ones, so that an axis along which little
+/// resists rounds little.
+fn carried<const N: usize, const M: usize>(
+    translational: &Mat<N, N>,
+    twist_map: &Mat<N, M>,
+) -> f64 {
+    let roots = Vector::<N>::from_fn(|i| translational[i][i].abs().sqrt());
+    let sizes = (0..M).map(|j| (0..N).map(|i| twist_map[i][j].abs() * roots[i]).sum::<f64>());
+    sizes.map(|size| size * size).sum()
 }
 
 /// The step to the point about which the trace of `K_22` is least: `A c = b` with

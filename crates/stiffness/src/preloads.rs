@@ -3,7 +3,7 @@
 use faer::Mat;
 use microlp::{ComparisonOp, OptimizationDirection, Problem, Variable};
 
-use crate::{Grasp, GraspError};
+use crate::{BALANCED, Grasp, GraspError};
 
 /// A singular value below this many units of rounding of the largest, per row and column, counts
 /// as zero: the entries of the wrench map are rounded by a few units each.
@@ -66,17 +66,22 @@ impl<const N: usize, const M: usize> Grasp<N, M> {
     /// solver does not find.
     pub fn preloads(&self) -> Result<Preloads, GraspError> {
         let count = self.contacts().len();
-        let (rank, basis) = self.null_space(N + M);
+        // Preloads that balance to the digits of a file are balanced: points of as few digits must
+        // not make a wrench that no forces can have.
+        let balanced = self.loads().is_empty() && self.total_preload() > 0.0;
+        let given = if balanced && self.equilibrium().holds { BALANCED } else { 0.0 };
+        let (rank, basis) = self.null_space(N + M, given);
         let best = best_preload(&basis)?;
         let can_press = best.as_ref().is_some_and(|b| b.margin > ZERO_MARGIN * count as f64);
         let unopposed =
-            if can_press { Vec::new() } else { unopposed(&self.null_space(N).1, count)? };
+            if can_press { Vec::new() } else { unopposed(&self.null_space(N, 0.0).1, count)? };
         Ok(Preloads { rank, force_closure: rank == N + M && can_press, basis, best, unopposed })
     }
 
     /// The rank and the null vectors of the first `rows` of the wrench map: of all, or of the
-    /// forces alone.
-    fn null_space(&self, rows: usize) -> (usize, Vec<Vec<f64>>) {
+    /// forces alone. Singular values of the part `given` of the largest, per contact, count as
+    /// zero.
+    fn null_space(&self, rows: usize, given: f64) -> (usize, Vec<Vec<f64>>) {
         let count = self.contacts().len();
         let length = self.torque_length();
         let columns: Vec<_> =
@@ -87,7 +92,8 @@ impl<const N: usize, const M: usize> Grasp<N, M> {
         #[expect(clippy::expect_used, reason = "a grasp's wrench map is finite by construction")]
         let svd = map.svd().expect("the singular values of a finite matrix converge");
         let values = svd.S().column_vector();
-        let zero = ZERO_SINGULAR_VALUE * (count + rows) as f64 * values[0];
+        let rounding = ZERO_SINGULAR_VALUE * (count + rows) as f64;
+        let zero = rounding.max(given * count as f64) * values[0];
         let rank = (0..count.min(rows)).filter(|&i| values[i] > zero).count();
         let null = (rank..count).map(|j| (0..count).map(|i| svd.V()[(i, j)]).collect()).collect();
         (rank, null)
@@ -97,7 +103,7 @@ impl<const N: usize, const M: usize> Grasp<N, M> {
 /// Maximizes the least force over `{B y : sum(B y) = 1}`, a linear program in `y`.
 fn best_preload(basis: &[Vec<f64>]) -> Result<Option<BestPreload>, GraspError> {
     let Some(count) = basis.first().map(Vec::len) else { return Ok(None) };
-    let mut program = Program::new(basis, |_| 0.0);
+    let mut program = Program::new(basis, |_| 0.0, ComparisonOp::Eq);
     let least = program.problem.add_var(1.0, FREE);
     for i in 0..count {
         let mut row = program.force(basis, i);
@@ -122,8 +128,10 @@ fn unopposed(basis: &[Vec<f64>], count: usize) -> Result<Vec<usize>, GraspError>
     Ok(found)
 }
 
+/// With a total of at most 1 rather than of 1: no forces at all are feasible then, and the solver
+/// need not decide what is feasible to its last digit.
 fn largest_share(basis: &[Vec<f64>], contact: usize) -> Result<f64, GraspError> {
-    let mut program = Program::new(basis, |b| b[contact]);
+    let mut program = Program::new(basis, |b| b[contact], ComparisonOp::Le);
     for i in 0..basis[0].len() {
         let row = program.force(basis, i);
         program.problem.add_constraint(row.as_slice(), ComparisonOp::Ge, 0.0);
@@ -134,7 +142,7 @@ fn largest_share(basis: &[Vec<f64>], contact: usize) -> Result<f64, GraspError> 
 /// A variable without bounds.
 const FREE: (f64, f64) = (f64::NEG_INFINITY, f64::INFINITY);
 
-/// A linear program over the weights `y` of null vectors, with `sum(B y) = 1`.
+/// A linear program over the weights `y` of null vectors, with `sum(B y)` equal to or at most 1.
 struct Program {
     problem: Problem,
     weights: Vec<Variable>,
@@ -143,13 +151,13 @@ struct Program {
 
 impl Program {
     /// Maximizes the sum of `value` times the weight over the null vectors.
-    fn new(basis: &[Vec<f64>], value: impl Fn(&[f64]) -> f64) -> Self {
+    fn new(basis: &[Vec<f64>], value: impl Fn(&[f64]) -> f64, is: ComparisonOp) -> Self {
         let count = basis[0].len() as f64;
         let mut problem = Problem::new(OptimizationDirection::Maximize);
         let weights: Vec<_> = basis.iter().map(|b| problem.add_var(value(b), FREE)).collect();
         let sum = |b: &[f64]| above(b.iter().sum(), ZERO_TOTAL * count);
         let total: Vec<_> = weights.iter().zip(basis).map(|(&y, b)| (y, sum(b))).collect();
-        problem.add_constraint(total.as_slice(), ComparisonOp::Eq, 1.0);
+        problem.add_constraint(total.as_slice(), is, 1.0);
         Self { problem, weights, noise: ZERO_COEFFICIENT * count }
     }
 
@@ -173,6 +181,9 @@ impl Program {
         let force = |i: usize| weights.iter().zip(basis).map(|(y, b)| y * b[i]).sum::<f64>();
         let forces: Vec<f64> = (0..contacts).map(force).collect();
         let sum: f64 = forces.iter().sum();
+        if sum <= NO_SHARE {
+            return Ok(None);
+        }
         Ok(Some(forces.iter().map(|force| force / sum).collect()))
     }
 }

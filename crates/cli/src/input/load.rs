@@ -1,5 +1,7 @@
 //! From the loads, named points and load cases of a file to what the libraries take.
 
+use std::collections::HashMap;
+
 use clench::screw::{Vector, Wrench};
 use clench::stiffness::DeadLoad;
 
@@ -58,16 +60,19 @@ pub(super) fn named_points<const N: usize>(
     document: &Document,
     given: &[schema::NamedPoint],
 ) -> Result<Vec<NamedPoint<N>>, Failure> {
-    let named = |(i, named): (usize, &schema::NamedPoint)| {
+    let mut places: HashMap<&str, usize> = HashMap::new();
+    let mut points = Vec::new();
+    for (i, named) in given.iter().enumerate() {
         let field = |name| Place::named_point(i).field(name);
-        if let Some(first) = given[..i].iter().position(|other| other.name == named.name) {
+        let name = &named.name.0;
+        if let Some(first) = places.insert(name, i) {
             let fault = LoadFault::RepeatedName { first: Place::named_point(first) };
             return Err(document.error(&field("name"), fault));
         }
         let point = vector(document, &field("point"), &named.point)?;
-        Ok(NamedPoint { name: named.name.0.clone(), point })
-    };
-    given.iter().enumerate().map(named).collect()
+        points.push(NamedPoint { name: name.clone(), point });
+    }
+    Ok(points)
 }
 
 /// The load cases.

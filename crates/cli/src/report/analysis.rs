@@ -164,7 +164,8 @@ impl<'a> AnalysisReport<'a> {
         let verdict = Verdict::on(analysis);
         let load_cases = LoadCaseReport::all(analysis);
         let cases = load_cases.iter().enumerate();
-        let of_cases = cases.flat_map(|(i, case)| case.warnings(i, UnitNames(analysis.units)));
+        let of_cases =
+            cases.flat_map(|(i, case)| case.warnings(i, analysis.size, UnitNames(analysis.units)));
         let warnings = verdict.warnings.into_iter().chain(of_cases).collect();
         let preload = |origin| grasp.preload_stiffness(origin);
         let formed = |order| rows(&analysis.stiffness(|origin| grasp.stiffness(origin, order)));

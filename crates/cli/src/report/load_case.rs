@@ -11,6 +11,10 @@ use crate::response::Response;
 use crate::view::plain;
 use crate::wording::digits;
 
+/// Turns up to this angle [rad] are small: what is left out is half of their square, half a
+/// percent. So are displacements up to this part of the size of the part.
+const SMALL_TURN: f64 = 0.1;
+
 /// What a load on top of the state at rest does.
 #[derive(Debug, Serialize)]
 pub(crate) struct LoadCaseReport {
@@ -136,9 +140,20 @@ impl LoadCaseReport {
         }
     }
 
-    /// What a reader has to know before trusting the numbers of load case `number`.
-    pub(super) fn warnings(&self, number: usize, units: UnitNames<'_>) -> Vec<String> {
+    /// What a reader has to know before trusting the numbers of load case `number` of a part of
+    /// the given `size`.
+    pub(super) fn warnings(&self, number: usize, size: f64, units: UnitNames<'_>) -> Vec<String> {
         let case = self.title(number);
+        let turn = self.displacement.rotation.0.iter().map(|x| x * x).sum::<f64>().sqrt();
+        let is_small = turn <= SMALL_TURN && self.largest.distance <= SMALL_TURN * size;
+        let large = (!is_small).then(|| {
+            let distance = units.length(self.largest.distance);
+            format!(
+                "under {case} the part would move by {distance} and turn by {} rad: that is not \
+                 small, and the numbers of this load case do not hold",
+                digits(turn)
+            )
+        });
         let lifted = self.first_to_lift_off.as_ref().filter(|first| first.load_factor < 1.0);
         let lifted = lifted.map(|first| {
             let (contact, factor) = (first.contact, digits(first.load_factor));
@@ -154,7 +169,7 @@ impl LoadCaseReport {
                 "under {case} the part moves by {distance}, beyond the tolerance of {tolerance}"
             )
         });
-        lifted.into_iter().chain(exceeded).collect()
+        large.into_iter().chain(lifted).chain(exceeded).collect()
     }
 
     /// The load case by its number, and its name if it has one.

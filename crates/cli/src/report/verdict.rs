@@ -12,7 +12,7 @@ use super::number::{INVISIBLE, spot};
 use crate::analyze::Analysis;
 use crate::held::NotHeld;
 use crate::view::plain;
-use crate::wording::{digits, rough_digits};
+use crate::wording::{counted, digits, rough_digits};
 
 /// A stiffness is negative, and not the rounding of zero, if it is below minus this part of the
 /// number that it is compared to: the sums of products that may leave so much are the same on both
@@ -273,6 +273,10 @@ fn warnings<const N: usize, const M: usize>(analysis: &Analysis<'_, N, M>) -> Ve
              barely presses"
                 .to_owned(),
         );
+    }
+    if analysis.metrics.is_err() && analysis.unanswered > 0 {
+        let cases = counted(analysis.unanswered, "load case");
+        warnings.push(format!("{cases} not answered: a part that is not held has no displacement"));
     }
     warnings
 }

@@ -392,3 +392,42 @@ fn points_that_are_none_are_refused() {
         &["points[0]: ", "load_cases[0] moves the point out"],
     );
 }
+
+/// A soft grasp under a load that would turn the part by half a radian.
+#[test]
+fn a_displacement_that_is_not_small_is_a_warning() {
+    let folder = Folder::new("not-small");
+    let parts = concat!(env!("CARGO_MANIFEST_DIR"), "/../../parts/ellipsoid-grasp.toml");
+    let grasp = std::fs::read_to_string(parts).unwrap();
+    let file = format!("{grasp}\n[[load_cases]]\ntorque = [500, 0, 0]\n");
+    folder.write("grasp.toml", &file);
+    let result = folder.run("analyze grasp.toml");
+    assert_eq!(result.code, Some(0));
+    assert!(result.out.contains("that is not small"), "{}", result.out);
+    folder.write("grasp.toml", &file.replace("[500, 0, 0]", "[5, 0, 0]"));
+    assert!(!folder.run("analyze grasp.toml").out.contains("not small"));
+}
+
+/// Two fingers hold nothing: a load case has no answer, and the report says so.
+#[test]
+fn load_cases_of_a_part_that_is_not_held_are_named_as_unanswered() {
+    let folder = Folder::new("unanswered-cases");
+    folder.write(
+        "grasp.toml",
+        "part.planar = { outline = [[0, 0], [4, 0], [4, 4], [0, 4]], stiffness = 1 }\n\
+         [[contacts]]\npoint = [2, 0]\n[[contacts]]\npoint = [2, 4]\n\
+         [[load_cases]]\nforce = [1, 0]\n",
+    );
+    let result = folder.run("analyze grasp.toml");
+    assert_eq!(result.code, Some(3));
+    assert!(result.out.contains("1 load case not answered"), "{}", result.out);
+}
+
+/// Coordinates whose products overflow would leave entries that are no numbers.
+#[test]
+fn a_frame_out_of_range_is_wrong_usage() {
+    let folder = Folder::new("far-frame");
+    let result = folder.run("analyze grasp.toml --frame 1e200,0,0");
+    assert_eq!(result.code, Some(2));
+    assert!(result.err.contains("1e200") && result.err.contains("1e90"), "{}", result.err);
+}

@@ -231,3 +231,30 @@ fn what_a_stiff_direction_rounds_is_not_a_rotational_stiffness() {
         assert!(matches!(found, Err(MetricsError::RotationNotHeld { .. })), "{found:?}");
     }
 }
+
+/// Springs nearly along z: what little resists along x and y rounds as little, and does not hide
+/// the stiffness of a turn about z. A thin ellipsoid on eight fingers; `mu` by 40 digits.
+#[test]
+fn the_small_stiffness_of_a_thin_body_is_not_taken_for_rounding() {
+    let body = Ellipsoid::new(Vector::ZERO, [10.0, 9.0, 0.01]).unwrap();
+    let points = [
+        [-3.247_770_880_109_944_5, 7.852_679_297_595_093, 0.003_650_052_450_235_766],
+        [-3.607_325_301_539_616, 3.530_080_198_756_114_6, -0.008_461_836_560_943_436],
+        [5.746_543_823_958_116, -4.896_034_438_004_921, 0.006_114_181_691_825_133],
+        [4.263_528_733_873_161, -6.704_922_057_549_375, 0.005_130_410_617_924_198],
+        [1.604_919_494_536_538_8, -2.729_544_725_769_209, 0.009_392_879_799_859_39],
+        [4.617_417_194_791_669, -6.125_342_903_988_017, -0.005_688_469_564_889_913],
+        [3.718_247_293_332_446, 3.295_856_993_380_317_2, -0.008_530_177_563_342_508],
+        [8.138_482_847_469_524, 0.584_445_984_752_376_7, -0.005_774_374_148_491_023],
+    ];
+    let about = |origin: Vector<3>| {
+        points.iter().fold(Stiffness::<3, 3>::ZERO, |sum, &point| {
+            let touched = body.nearest(point.into()).boundary;
+            let arm = touched.point - origin;
+            sum + Stiffness::outer(&Wrench::of_force_at(touched.inward_normal, arm)) * 1000.0
+        })
+    };
+    let principal = Principal::near(Vector::ZERO, about).unwrap();
+    let mu = principal.rotational().values[0];
+    assert!((mu / 0.002_861_871_891_401_29 - 1.0).abs() < 1e-9, "{mu}");
+}

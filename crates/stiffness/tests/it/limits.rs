@@ -225,3 +225,75 @@ fn coincident_contacts_of_pointed_fingers_are_judged_without_a_length() {
     assert_eq!(grasp.stability(), Stability::Marginal);
     assert_eq!(grasp.preloads().unwrap().rank, 1);
 }
+
+/// Two pairs of exactly opposite directions, on the quadrilateral of LBR: what is feasible is
+/// decided by the last digit, which a linear program need not find.
+#[test]
+fn exactly_opposite_fingers_leave_no_preload_undecided() {
+    let r = &mut clench_testkit::Random::new(17);
+    let corners = [[0.0, 0.0], [13.0, 0.0], [9.0, 8.0], [2.0, 6.0]];
+    for _ in 0..400 {
+        let count = 4 + r.below(5);
+        let contacts = (0..count).map(|_| {
+            let edge = r.below(4);
+            let (start, end) = (Vector::new(corners[edge]), Vector::new(corners[(edge + 1) % 4]));
+            let along = (end - start) * (end - start).norm().recip();
+            let point = start + (end - start) * r.between(0.05, 0.95);
+            finger(point[0], point[1], -along[1], along[0], 0.0)
+        });
+        let grasp = Grasp::new(contacts.collect()).unwrap();
+        let preloads = grasp.preloads().unwrap();
+        if preloads.force_closure {
+            assert_eq!(preloads.unopposed, [0; 0]);
+            continue;
+        }
+        // A finger is unopposed if and only if no others have normals that surround its opposite:
+        // all normals that are not parallel to its own lie to one side of it, or none faces it.
+        let normal = |i: usize| grasp.contacts()[i].overlap().inward_normal();
+        for i in 0..count {
+            let sides = (0..count).map(|j| {
+                let (one, other) = (normal(i), normal(j));
+                (one[0] * other[1] - one[1] * other[0], one.dot(other))
+            });
+            let sides: Vec<(f64, f64)> = sides.collect();
+            let facing = sides.iter().any(|&(cross, dot)| cross.abs() < 1e-12 && dot < 0.0);
+            let left = sides.iter().filter(|(cross, _)| *cross > 1e-12);
+            let right: Vec<_> = sides.iter().filter(|(cross, _)| *cross < -1e-12).collect();
+            // A pair on both sides surrounds the opposite if it turns by more than a half.
+            let surrounds = left.into_iter().any(|&(cross, dot)| {
+                right.iter().any(|&&(other, along)| cross * along - dot * other < -1e-12)
+            });
+            let opposed = facing || surrounds;
+            assert_eq!(!preloads.unopposed.contains(&i), opposed, "{i}");
+        }
+    }
+}
+
+/// Three fingers at the points where the incircle touches a triangle, to nine digits: preloads that
+/// balance to the digits of the file are preloads that balance.
+#[test]
+fn preloads_balance_for_points_of_few_digits_too() {
+    let grasp = |digits: i32| {
+        let rounded = |x: f64| (x * 10_f64.powi(digits)).round() / 10_f64.powi(digits);
+        let sides =
+            [([0.0, 0.0], [10.0, 0.0]), ([10.0, 0.0], [3.0, 7.0]), ([3.0, 7.0], [0.0, 0.0])];
+        let lengths = sides.map(|(a, b)| (Vector::from(b) - Vector::from(a)).norm());
+        let half = lengths.iter().sum::<f64>() / 2.0;
+        let contact = |i: usize| {
+            let (start, end) = (Vector::new(sides[i].0), Vector::new(sides[i].1));
+            let along = (end - start) * lengths[i].recip();
+            // The tangent from a corner is as long as the half perimeter less the opposite side.
+            let point = start + along * (half - lengths[(i + 1) % 3]);
+            let preload = rounded(lengths[i] / (2.0 * half));
+            finger(rounded(point[0]), rounded(point[1]), -along[1], along[0], preload)
+        };
+        Grasp::new((0..3).map(contact).collect()).unwrap()
+    };
+    for digits in [15, 12, 10, 9, 8] {
+        let grasp = grasp(digits);
+        assert!(grasp.equilibrium().holds, "{digits}");
+        let preloads = grasp.preloads().unwrap();
+        assert_eq!(preloads.rank, 2, "{digits}");
+        assert!(preloads.best.unwrap().margin > 0.2, "{digits}");
+    }
+}
