@@ -1,6 +1,8 @@
 //! The principal stiffness parameters of LBR section 3.
 
-use clench_screw::{Cholesky, Frame, Mat, Stiffness, SymmetricEigen, Twist, Vector, Wrench, lever};
+use clench_screw::{
+    Cholesky, Frame, Mat, Stiffness, SymmetricEigen, Twist, Vector, Wrench, lever, lever_center,
+};
 
 use crate::MetricsError;
 
@@ -63,7 +65,12 @@ impl<const N: usize, const M: usize> Principal<N, M> {
         let translational = translational(&rough)?;
         // The translational block is the same about every origin.
         let compliance = translational.map(f64::recip);
-        let origin = start + step_to_least_rotational(&rough);
+        let step = match M {
+            // The same point, without another factorization.
+            1 => lever_center(&(compliance * rough.coupling * -1.0)),
+            _ => step_to_least_rotational(&rough),
+        };
+        let origin = start + step;
         let scale = rough.rotational.trace().abs();
         Self::scaled(origin, &stiffness_about(origin), translational, compliance, scale)
     }
@@ -89,6 +96,11 @@ impl<const N: usize, const M: usize> Principal<N, M> {
             distance: origin.max_abs(),
         };
         let value = rotational.values[0];
+        // What is carried is at most this: as a rule that decides without a root.
+        let squares = twist_map.rows().as_flattened().iter().map(|x| x * x).sum::<f64>();
+        if value > ZERO_STIFFNESS * (scale + squares * stiffness.translational.trace()) {
+            return Ok(principal);
+        }
         let scale = scale + carried(&stiffness.translational, &twist_map);
         if value > ZERO_STIFFNESS * scale {
             return Ok(principal);

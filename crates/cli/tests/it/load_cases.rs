@@ -404,7 +404,7 @@ fn a_displacement_that_is_not_small_is_a_warning() {
     let result = folder.run("analyze grasp.toml");
     assert_eq!(result.code, Some(0));
     assert!(result.out.contains("that is not small"), "{}", result.out);
-    folder.write("grasp.toml", &file.replace("[500, 0, 0]", "[5, 0, 0]"));
+    folder.write("grasp.toml", file.replace("[500, 0, 0]", "[5, 0, 0]"));
     assert!(!folder.run("analyze grasp.toml").out.contains("not small"));
 }
 
