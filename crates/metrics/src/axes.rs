@@ -42,10 +42,9 @@ impl<const N: usize, const M: usize> Principal<N, M> {
     /// compliance.
     #[must_use]
     pub fn twist_axes(&self) -> [Axis; M] {
-        let pitches = self.pitch_tensor();
-        self.rotational().vectors.map(|rotation| {
-            self.axis_near_center(rotation.in_space(), (pitches * rotation).in_space())
-        })
+        let map = *self.near_map();
+        let axis = |rotation| self.axis_along(rotation, (map * rotation).in_space());
+        self.rotational().vectors.map(axis)
     }
 
     /// The wrench-compliant axes: those of the rotation-free wrenches along the principal
@@ -54,18 +53,17 @@ impl<const N: usize, const M: usize> Principal<N, M> {
     /// compliance.
     #[must_use]
     pub fn wrench_axes(&self) -> [Axis; N] {
-        let pitches = self.pitch_tensor().transpose();
-        self.translational()
-            .vectors
-            .map(|force| self.axis_near_center(force.in_space(), -(pitches * force).in_space()))
+        let map = self.near_map().transpose();
+        let axis = |force| self.axis_along(force, -(map * force).in_space());
+        self.translational().vectors.map(axis)
     }
 
-    /// The axis along the unit `direction` with the given `moment` about the canonical point, where
-    /// nothing cancels, seen from the frame's origin.
-    fn axis_near_center(&self, direction: Vector<3>, moment: Vector<3>) -> Axis {
-        let near = Axis::new(direction, moment);
-        let center = self.center().in_space();
-        let across = center - direction * direction.dot(center);
+    /// The axis along a unit direction with the given `moment` about the origin of the computation,
+    /// near the body, seen from the frame's origin.
+    fn axis_along<const D: usize>(&self, direction: Vector<D>, moment: Vector<3>) -> Axis {
+        let near = Axis::new(direction.in_space(), moment);
+        let origin = self.origin().in_space();
+        let across = origin - near.direction * near.direction.dot(origin);
         Axis { point: near.point + across, ..near }
     }
 }
@@ -77,11 +75,11 @@ impl Principal<3, 3> {
     /// there is a center of compliance [`Self::center_of_compliance`].
     #[must_use]
     pub fn loncaric_center_of_stiffness(&self) -> Vector<3> {
-        // About the canonical point K_12 = -K_11 S, and (tr K_11 - K_11) c = -2 vee skew K_12.
+        // About any point K_12 = -K_11 P_1, and (tr K_11 - K_11) c = -2 vee skew K_12 from there.
         let sigma = self.translational();
         let stiffness = sigma.map(|value| value);
-        let skew = lever_center(&(stiffness * self.pitch_tensor()));
-        self.center() + solved(sigma, |value| value, skew * 2.0)
+        let skew = lever_center(&(stiffness * *self.near_map()));
+        self.origin() + solved(sigma, |value| value, skew * 2.0)
     }
 
     /// The center of compliance by Loncaric: the point about which `C_12` is symmetric.
@@ -89,10 +87,10 @@ impl Principal<3, 3> {
     /// It always exists, unlike [`Self::center_of_compliance`], about which `C_12` is zero.
     #[must_use]
     pub fn loncaric_center_of_compliance(&self) -> Vector<3> {
-        // About the canonical point C_12 = S C_22, and (tr C_22 - C_22) c = 2 vee skew C_12.
+        // About any point C_12 = P_1 C_22, and (tr C_22 - C_22) c = 2 vee skew C_12 from there.
         let mu = self.rotational();
-        let skew = lever_center(&(self.pitch_tensor() * self.rotational_compliance()));
-        self.center() + solved(mu, f64::recip, skew * 2.0)
+        let skew = lever_center(&(*self.near_map() * self.rotational_compliance()));
+        self.origin() + solved(mu, f64::recip, skew * 2.0)
     }
 }
 

@@ -9,8 +9,8 @@ use clench_screw::Vector;
 /// a few roundings.
 const PROVED: f64 = 16.0 * f64::EPSILON;
 
-/// The search ends after this many directions: in general a thousand prove the result, but where
-/// many directions tie, as on a ball, no number would.
+/// The search ends after this many directions: in general fewer prove the result, but where many
+/// directions tie, as on a ball, no number would.
 const MAX_DIRECTIONS: usize = 4_096;
 
 /// Steps of the ascent from one direction, each with all its doublings.

@@ -51,8 +51,9 @@ impl<const N: usize, const M: usize> Principal<N, M> {
     ///
     /// In two passes: about `start`, which has to be near the body, for the point about which the
     /// trace of `K_22` is least; then about that point, where least cancels when what forces resist
-    /// is taken from `K_22`. In the plane it is the center of compliance. In space that may be the
-    /// wrong choice: where a translation is soft, the canonical point is far away.
+    /// is taken from `K_22`. In the plane it is the center of compliance, in space Loncaric's
+    /// center of stiffness. (The canonical point would not do: where a translation is soft it is
+    /// far away.)
     ///
     /// # Errors
     ///

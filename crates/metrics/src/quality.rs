@@ -8,8 +8,8 @@ use crate::{EquivalentStiffness, MetricsError, Principal};
 /// so does a chain of such gaps.
 ///
 /// Their directions are good to the rounding of the stiffness divided by the gap: at this gap to
-/// seven digits in a stiffness formed near the body, and hardly at all in one that is given in a
-/// frame a hundred body lengths away.
+/// seven digits in a stiffness formed near the body, and to three in one that is given in a frame a
+/// hundred body lengths away.
 pub const REPEATED: f64 = 1e-9;
 
 /// Which stiffness is the smallest, rotations made comparable by the body's deflection.

@@ -30,14 +30,6 @@ pub(crate) struct Softest<const N: usize> {
     pub(crate) bound: f64,
 }
 
-impl<const N: usize> Softest<N> {
-    fn new(found: Farthest<N>, eigen: &SymmetricEigen<N>) -> Self {
-        let (compliance, direction) = (eigen.values[N - 1], eigen.vectors[N - 1]);
-        let Farthest { point, corner, .. } = found;
-        Self { point, corner, direction, compliance, bound: compliance }
-    }
-}
-
 impl<'a, const N: usize, const M: usize> Softness<'a, N, M> {
     /// The compliance of the body to forces: all of `C_x`.
     pub(crate) fn whole(principal: &'a Principal<N, M>) -> Self {
@@ -95,9 +87,11 @@ impl<'a, const N: usize, const M: usize> Softness<'a, N, M> {
     }
 
     fn at(&self, found: Farthest<N>) -> Result<Softest<N>, MetricsError> {
-        let eigen = SymmetricEigen::beside_largest(&self.matrix(found.point));
+        let Farthest { point, corner, .. } = found;
         let overflow = MetricsError::OutOfRange { stiffness: 0.0, deflection: f64::INFINITY };
-        eigen.map(|eigen| Softest::new(found, &eigen)).map_err(|_| overflow)
+        let eigen = SymmetricEigen::beside_largest(&self.matrix(point)).map_err(|_| overflow)?;
+        let (compliance, direction) = (eigen.values[N - 1], eigen.vectors[N - 1]);
+        Ok(Softest { point, corner, direction, compliance, bound: compliance })
     }
 
     /// For a direction `u` the largest of `|[base^(1/2) u, G(x)^T u]|` over the points `x` of an

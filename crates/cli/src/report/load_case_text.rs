@@ -109,7 +109,7 @@ impl AnalysisText<'_> {
                 first.contact,
                 digits(first.load_factor)
             )),
-            None => page.line("no contact lifts off, however large the load"),
+            None => page.line("no contact loses force under this load"),
         }
         let Some(tolerance) = case.tolerance.map(|tolerance| self.units().length(tolerance)) else {
             return;

@@ -248,7 +248,7 @@ fn text_and_warnings_say_what_a_load_case_does() {
         "load case 0: 0 L at most, of 0.02 L allowed; no contact lifts off\n",
         "on top of the state at rest, couple 0 F L\n",
         "the part turns by 0 rad\n",
-        "no contact lifts off, however large the load",
+        "no contact loses force under this load",
         "within the tolerance of 0.02 L: nothing moves",
     ];
     assert_says(&ran.out, &pieces);
