@@ -47,6 +47,9 @@ pub(crate) enum Failure {
     /// A report that is no JSON.
     #[error("the report cannot be written as JSON: {0}")]
     Json(#[from] serde_json::Error),
+    /// A number of the command line that does not go with the file, or is out of range.
+    #[error("{option}: {source}")]
+    Option { option: String, source: Box<OptimizeError> },
     /// Numbers that the search cannot work with.
     #[error("{name}: {source}")]
     Search { name: String, source: Box<OptimizeError> },
@@ -61,7 +64,13 @@ pub(crate) enum Failure {
 impl Failure {
     /// Whether the command line is wrong rather than the file: together they make no sense.
     pub(crate) const fn is_usage(&self) -> bool {
-        matches!(self, Self::SolidPicture | Self::PlanarFrame { .. } | Self::SpatialFrame { .. })
+        matches!(
+            self,
+            Self::SolidPicture
+                | Self::PlanarFrame { .. }
+                | Self::SpatialFrame { .. }
+                | Self::Option { .. }
+        )
     }
 }
 

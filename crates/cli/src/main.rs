@@ -6,6 +6,7 @@ mod analyze;
 mod optimize;
 
 mod held;
+mod interrupt;
 mod metrics;
 mod response;
 

@@ -1,19 +1,25 @@
 //! `clench optimize`: where the fingers go.
 
+use std::ops::ControlFlow;
+
 use clench::contact::{Contact, ContactError, Geometry, Law, Order};
 use clench::metrics::{MetricsError, Quality, WorstPoint};
-use clench::optimize::polygon::{FourFingers, Part, ThreeFingers, four_fingers, three_fingers};
-use clench::optimize::{OptimizeError, Outcome, Solution};
+use clench::optimize::polygon::{Fingers, Objective, Part, ThreeFingers, fingers, three_fingers};
+use clench::optimize::{Effort, OptimizeError, Outcome, Progress, Solution};
 use clench::stiffness::{Grasp, GraspError};
 
 use crate::answer::Answer;
-use crate::arguments::{Fingers, Format, OptimizeArguments};
+use crate::arguments::{Format, ObjectiveArgument, OptimizeArguments};
 use crate::failure::Failure;
 use crate::held::principal;
-use crate::input::{self, Document, schema};
+use crate::input::{self, Document, Finite, schema};
+use crate::interrupt::Interrupt;
 use crate::picture;
 use crate::progress::ProgressLine;
-use crate::report::{self, OptimumReport, OptimumText, Question, UnansweredReport};
+use crate::report::{
+    self, EffortReport, ObjectiveWord, OptimumReport, OptimumText, Question, UnansweredReport,
+    UnitNames,
+};
 
 /// A placement that the search found, as a grasp.
 #[derive(Debug)]
@@ -41,19 +47,20 @@ pub(crate) enum OutOfRange {
 
 /// Runs the command.
 pub(crate) fn optimize(arguments: &OptimizeArguments) -> Result<Answer, Failure> {
-    let (document, file) = Document::read(&arguments.part)?;
+    let (document, mut file) = Document::read(&arguments.part)?;
     let part = input::outline_part(&document, &file.part)?;
+    let part = restricted(part, arguments)?;
+    add_restrictions(&mut file.part, arguments);
     let question = question(arguments, &file);
-    let outcome = match search(&part, arguments) {
+    let outcome = match search(&part, &question, arguments) {
         Ok(outcome) => outcome,
         Err(
             e @ (OptimizeError::NormalsNeverBalance { .. }
-            | OptimizeError::TorquesNeverBalance { .. }),
+            | OptimizeError::TorquesNeverBalance { .. }
+            | OptimizeError::ConditionsNeverMet { .. }
+            | OptimizeError::NothingFound { .. }),
         ) => return unanswered(arguments, &question, &part, &e),
-        Err(error) => {
-            let (name, source) = (document.name().to_owned(), Box::new(error));
-            return Err(Failure::Search { name, source });
-        }
+        Err(error) => return Err(refused(document.name(), error)),
     };
     let range = |error| {
         let (name, source) = (document.name().to_owned(), Box::new(error));
@@ -73,35 +80,112 @@ pub(crate) fn optimize(arguments: &OptimizeArguments) -> Result<Answer, Failure>
     Ok(Answer { report: text, picture: Some(picture), reason: None })
 }
 
+/// The part without what the command line forbids.
+fn restricted(part: Part, arguments: &OptimizeArguments) -> Result<Part, Failure> {
+    let failure = |option: String| move |error| Failure::Option { option, source: Box::new(error) };
+    let mut part = part;
+    if let Some(margin) = arguments.margin {
+        part = part.with_margin(margin).map_err(failure(format!("--margin {margin}")))?;
+    }
+    for forbidden in &arguments.forbid {
+        part = input::without(part, forbidden).map_err(failure(format!("--forbid {forbidden}")))?;
+    }
+    if part.stretches().is_empty() {
+        let option = match (arguments.margin, &arguments.forbid[..]) {
+            (Some(_), []) => "--margin",
+            (None, _) => "--forbid",
+            (Some(_), _) => "--margin and --forbid",
+        };
+        return Err(failure(option.to_owned())(OptimizeError::NowhereToTouch));
+    }
+    Ok(part)
+}
+
+/// The part of the file with what the command line forbids, so that a report repeats all of it.
+fn add_restrictions(part: &mut schema::Part, arguments: &OptimizeArguments) {
+    let Some(planar) = &mut part.planar else { return };
+    if let Some(margin) = arguments.margin {
+        let of_file = planar.margin.map_or(0.0, |margin| margin.0);
+        planar.margin = Some(Finite(margin.max(of_file)));
+    }
+    for forbidden in &arguments.forbid {
+        if !planar.forbidden.contains(forbidden) {
+            planar.forbidden.push(*forbidden);
+        }
+    }
+}
+
 fn question<'a>(arguments: &OptimizeArguments, file: &'a schema::File) -> Question<'a> {
+    let rotation = arguments.objective == ObjectiveArgument::Rotation;
     Question {
         version: schema::VERSION,
         dimension: 2,
         units: &file.units,
         part: &file.part,
-        fingers: match arguments.fingers {
-            Fingers::Three => 3,
-            Fingers::Four => 4,
+        fingers: arguments.fingers,
+        objective: match arguments.objective {
+            ObjectiveArgument::Quality => ObjectiveWord::Quality,
+            ObjectiveArgument::WorstPoint => ObjectiveWord::WorstPoint,
+            ObjectiveArgument::Rotation => ObjectiveWord::Rotation,
         },
+        least_translation: rotation.then(|| arguments.least_translation.unwrap_or(0.0)),
         total_preload: arguments.preload,
         finger_radius: arguments.finger_radius,
+        least_distance: arguments.least_distance(),
+        least_share: arguments.least_share,
+        effort: EffortReport {
+            top: arguments.top,
+            gap: arguments.gap(),
+            time: arguments.time.map(|time| time.as_secs_f64()),
+            nodes: arguments.nodes,
+        },
     }
 }
 
-fn search(part: &Part, arguments: &OptimizeArguments) -> Result<Outcome, OptimizeError> {
-    let top = arguments.top;
-    let mut line = ProgressLine::start();
-    match arguments.fingers {
-        Fingers::Three => {
-            let options = ThreeFingers {
-                total_preload: arguments.preload.unwrap_or(0.0),
-                finger_radius: arguments.finger_radius,
-                top,
-            };
-            three_fingers(part, &options, |progress| line.watch(progress))
-        }
-        Fingers::Four => four_fingers(part, &FourFingers { top }, |progress| line.watch(progress)),
+fn search(
+    part: &Part,
+    question: &Question<'_>,
+    arguments: &OptimizeArguments,
+) -> Result<Outcome, OptimizeError> {
+    let Question { fingers: count, finger_radius, least_share, .. } = *question;
+    let OptimizeArguments { top, time, nodes, .. } = *arguments;
+    let effort = Effort { top, gap: arguments.gap(), time, nodes };
+    let mut line = ProgressLine::start(UnitNames(question.units).per_length());
+    let interrupt = Interrupt::awaited();
+    let watch = |progress: &Progress| {
+        line.show(progress);
+        if interrupt.came() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+    };
+    if count == 3 {
+        let total_preload = arguments.preload.unwrap_or(0.0);
+        let question = ThreeFingers { total_preload, finger_radius, least_share };
+        return three_fingers(part, &question, &effort, watch);
     }
+    let objective = match arguments.objective {
+        ObjectiveArgument::Quality => Objective::Quality,
+        ObjectiveArgument::WorstPoint => Objective::WorstPoint,
+        ObjectiveArgument::Rotation => {
+            let least_translation = arguments.least_translation.unwrap_or(0.0);
+            Objective::Rotation { least_translation }
+        }
+    };
+    let least_distance = question.least_distance.unwrap_or(0.0);
+    fingers(part, &Fingers { count, objective, least_distance, least_share }, &effort, watch)
+}
+
+/// What the search refused: by the option that it came from, if there is one.
+fn refused(name: &str, error: OptimizeError) -> Failure {
+    let option = match error {
+        OptimizeError::FingerCount { .. } => "--fingers",
+        OptimizeError::TotalPreload { .. } => "--preload",
+        OptimizeError::FingerRadius { .. } => "--finger-radius",
+        OptimizeError::LeastDistance { .. } => "--least-distance, or else twice --finger-radius",
+        OptimizeError::LeastShare { .. } => "--least-share",
+        OptimizeError::LeastTranslation { .. } => "--least-translation",
+        OptimizeError::Gap { .. } => "--gap",
+        _ => return Failure::Search { name: name.to_owned(), source: Box::new(error) },
+    };
+    Failure::Option { option: option.to_owned(), source: Box::new(error) }
 }
 
 fn unanswered(

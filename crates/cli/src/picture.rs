@@ -1,9 +1,9 @@
 //! Pictures of grasps, from what the reports say.
 
-use clench::optimize::polygon::Part;
+use clench::optimize::polygon::{Part, Stretch};
 use clench::screw::Vector;
 use clench::shape::{Ellipsoid, Farthest, Polygon};
-use clench_draw::{Finger, GraspPicture, Mark};
+use clench_draw::{Color, Finger, GraspPicture, Mark, Region};
 
 use crate::analyze::Analysis;
 use crate::input::{Piece, PlanarShape};
@@ -16,6 +16,9 @@ const NUMBERED_CORNERS: usize = 40;
 /// An ellipse is drawn with this many corners: on a page of a thousand points they are less than
 /// a hundredth of a point off.
 const SMOOTH_CORNERS: usize = 360;
+
+/// How wide strips without fingers are drawn, beside the part's radius.
+const STRIP: f64 = 0.03;
 
 /// The part, without fingers.
 pub(crate) fn of_outline(outline: &Polygon) -> GraspPicture {
@@ -69,7 +72,36 @@ pub(crate) fn of_optimum(report: &OptimumReport<'_>, part: &Part) -> GraspPictur
     picture.caption.push(String::new());
     let size = part.outline().enclosing_circle().radius;
     picture.caption.extend(placed(contacts, size, units));
+    let gaps = untouchable(part);
+    if !gaps.is_empty() {
+        picture.caption.extend([String::new(), "shaded: no finger".to_owned()]);
+        picture.regions = gaps.into_iter().map(|gap| shaded(part, gap)).collect();
+    }
     picture
+}
+
+/// The stretches of edges that fingers may not touch.
+fn untouchable(part: &Part) -> Vec<Stretch> {
+    let mut gaps = Vec::new();
+    for (edge, side) in part.outline().edges().iter().enumerate() {
+        let mut reached = 0.0;
+        for stretch in part.stretches().iter().filter(|stretch| stretch.edge == edge) {
+            gaps.push(Stretch { edge, from: reached, to: stretch.from });
+            reached = stretch.to;
+        }
+        gaps.push(Stretch { edge, from: reached, to: side.length() });
+    }
+    gaps.retain(|gap| gap.from < gap.to);
+    gaps
+}
+
+/// A strip along a stretch, on the outer side of its edge.
+fn shaded(part: &Part, gap: Stretch) -> Region {
+    let edge = &part.outline().edges()[gap.edge];
+    let out = edge.inward_normal() * -(STRIP * part.outline().enclosing_circle().radius);
+    let [from, to] = [gap.from, gap.to].map(|along| edge.point_at(along));
+    let corners = [from, to, to + out, from + out].map(Vector::to_array);
+    Region { corners: corners.to_vec(), color: Color::ORANGE }
 }
 
 /// The grasp that was analyzed, in the frame of the file.

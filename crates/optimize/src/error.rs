@@ -2,6 +2,8 @@
 
 use clench_metrics::MetricsError;
 
+use crate::Ended;
+
 /// What is wrong with the question, or why it has no answer.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
@@ -45,11 +47,13 @@ pub enum OptimizeError {
         /// The last edge of the outline.
         last: usize,
     },
-    /// There are more combinations of edges than can be counted.
-    #[error("an outline of {edges} edges has more combinations of edges than can be counted")]
-    TooManyEdges {
-        /// The number of edges.
-        edges: usize,
+    /// There are more stretches than can be told apart.
+    #[error("found {found} stretches of edges, but a search can tell {most} apart")]
+    TooManyStretches {
+        /// How many there are.
+        found: usize,
+        /// How many there may be.
+        most: usize,
     },
     /// The largest edge stiffness is too many times the smallest.
     #[error(
@@ -72,30 +76,110 @@ pub enum OptimizeError {
         /// What its stiffness lacks.
         source: MetricsError,
     },
+    /// The number of spring fingers is not one that can be placed.
+    #[error("{found} fingers cannot be placed: their number has to be from {fewest} to {most}")]
+    FingerCount {
+        /// What was asked for.
+        found: usize,
+        /// [`crate::polygon::FEWEST_FINGERS`].
+        fewest: usize,
+        /// [`crate::polygon::MOST_FINGERS`].
+        most: usize,
+    },
+    /// The least distance of fingers is negative or not finite.
+    #[error("the least distance is {value}, but has to be a finite number, zero or positive")]
+    LeastDistance {
+        /// What was found.
+        value: f64,
+    },
+    /// The least share of the preload is negative, or more than all fingers can have.
+    #[error("the least share of the preload is {value}, but has to be from 0 to below {limit}")]
+    LeastShare {
+        /// What was found.
+        value: f64,
+        /// One part in the number of fingers.
+        limit: f64,
+    },
+    /// The least translational stiffness is negative or not finite.
+    #[error(
+        "the least translational stiffness is {value}, but has to be a finite number, zero or \
+         positive"
+    )]
+    LeastTranslation {
+        /// What was found.
+        value: f64,
+    },
+    /// The margin at the ends of edges is negative or not finite.
+    #[error("the margin is {value}, but has to be a finite number, zero or positive")]
+    Margin {
+        /// What was found.
+        value: f64,
+    },
+    /// A stretch of an edge does not go forward.
+    #[error("the stretch of edge {edge} goes from {from} to {to}, but has to end after its start")]
+    Stretch {
+        /// The edge.
+        edge: usize,
+        /// Where it begins.
+        from: f64,
+        /// Where it ends.
+        to: f64,
+    },
+    /// The relative gap is negative or not finite.
+    #[error("the gap is {value}, but has to be a finite number, zero or positive")]
+    Gap {
+        /// What was found.
+        value: f64,
+    },
+    /// No stretch of any edge may be touched.
+    #[error("no stretch of any edge may be touched")]
+    NowhereToTouch,
     /// The normals of no combination positively span the plane.
     #[error(
-        "no placement of {fingers} frictionless fingers holds the part: on none of the \
-         {combinations} edge combinations can the inward normals balance, so the part can always \
-         be pushed away"
+        "no placement of {fingers} frictionless fingers holds the part: on no \
+         combination of edges, of {combinations} in all, can the inward normals balance, so the \
+         part can always be pushed away"
     )]
     NormalsNeverBalance {
         /// The number of fingers.
         fingers: usize,
-        /// The number of edge combinations.
-        combinations: u64,
+        /// The number of combinations of stretches.
+        combinations: f64,
     },
     /// Where normals can balance, torques cannot.
     #[error(
-        "no placement of {fingers} frictionless fingers holds the part: of {combinations} edge \
-         combinations, {spanning} have normals that can balance, and on none of those do the \
+        "no placement of {fingers} frictionless fingers holds the part: of {combinations} \
+         combinations of edges some have normals that can balance, and on none of those do the \
          torques balance as well, so the part can always be turned away"
     )]
     TorquesNeverBalance {
         /// The number of fingers.
         fingers: usize,
-        /// The number of edge combinations.
-        combinations: u64,
-        /// Those whose inward normals positively span the plane.
-        spanning: u64,
+        /// The number of combinations of stretches.
+        combinations: f64,
+    },
+    /// No placement holds the part and fulfills the conditions as well.
+    #[error(
+        "no placement of {fingers} frictionless fingers, on {combinations} combinations of edges, \
+         both holds the part and fulfills the conditions on it"
+    )]
+    ConditionsNeverMet {
+        /// The number of fingers.
+        fingers: usize,
+        /// The number of combinations of stretches.
+        combinations: f64,
+    },
+    /// The search was stopped before it found a placement.
+    #[error(
+        "the search for {fingers} fingers was stopped before it found a placement; none is \
+         better than {upper_bound:.4e}"
+    )]
+    NothingFound {
+        /// The number of fingers.
+        fingers: usize,
+        /// How it ended.
+        ended: Ended,
+        /// What no placement surpasses (force / length).
+        upper_bound: f64,
     },
 }

@@ -3,9 +3,9 @@
 use clench::contact::{Contact, ContactError, Geometry, Law, Order};
 use clench::metrics::{MetricsError, Principal};
 use clench::optimize::polygon::{
-    FourFingers, Part, ThreeFingers, four_fingers, three_fingers, three_fingers_on,
+    Fingers, Part, ThreeFingers, fingers, three_fingers, three_fingers_on,
 };
-use clench::optimize::{OptimizeError, Outcome, Solution};
+use clench::optimize::{Effort, OptimizeError, Outcome, Solution, unwatched};
 use clench::screw::Vector;
 use clench::shape::{Edge, Polygon, PolygonError};
 use clench::stiffness::{Grasp, GraspError};
@@ -68,8 +68,8 @@ impl Paper {
         Ok(Self {
             figure_1: figure_1(part.outline())?,
             triplets: [on(TRIPLETS[0])?, on(TRIPLETS[1])?],
-            three: three_fingers(&part, &options, |_| {})?,
-            four: four_fingers(&part, &FourFingers::default(), |_| {})?,
+            three: three_fingers(&part, &options, &Effort::default(), unwatched)?,
+            four: fingers(&part, &Fingers::new(4), &Effort::default(), unwatched)?,
             part,
         })
     }

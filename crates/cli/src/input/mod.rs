@@ -4,6 +4,7 @@ mod document;
 
 mod part;
 mod solid;
+mod touch;
 
 mod mesh;
 
@@ -36,6 +37,7 @@ pub(crate) use document::Document;
 pub(crate) use fault::{InputError, LoadFault};
 pub(crate) use grasp::{FileGrasp, planar_grasp, spatial_grasp};
 pub(crate) use load::{LoadCase, NamedPoint};
-pub(crate) use number::Finite;
+pub(crate) use number::{Finite, Whole};
 pub(crate) use part::{Part, PlanarShape, outline_part, part};
 pub(crate) use place::Place;
+pub(crate) use touch::without;

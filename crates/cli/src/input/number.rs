@@ -16,6 +16,19 @@ pub(crate) struct Finite(pub(crate) f64);
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 pub(crate) struct Whole(pub(crate) u64);
 
+impl Whole {
+    /// The number, if it is whole and a double has all of its digits.
+    pub(crate) fn exactly(value: f64) -> Option<Self> {
+        let exact = (0.0..=LARGEST_WHOLE).contains(&value) && value.fract() <= 0.0;
+        #[expect(
+            clippy::cast_possible_truncation,
+            clippy::cast_sign_loss,
+            reason = "a whole number that a double holds exactly"
+        )]
+        exact.then_some(Self(value as u64))
+    }
+}
+
 /// The name of a unit: it goes into reports as it is.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub(crate) struct Name(pub(crate) String);
@@ -97,16 +110,7 @@ impl Visitor<'_> for WholeVisitor {
     }
 
     fn visit_f64<E: Error>(self, value: f64) -> Result<Whole, E> {
-        let exact = (0.0..=LARGEST_WHOLE).contains(&value) && value.fract() <= 0.0;
-        if !exact {
-            return Err(E::invalid_value(Unexpected::Float(value), &self));
-        }
-        #[expect(
-            clippy::cast_possible_truncation,
-            clippy::cast_sign_loss,
-            reason = "a whole number that a double holds exactly"
-        )]
-        Ok(Whole(value as u64))
+        Whole::exactly(value).ok_or_else(|| E::invalid_value(Unexpected::Float(value), &self))
     }
 }
 

@@ -7,10 +7,11 @@ use clench::shape::{Ellipsoid, EllipsoidError, Extent, Polygon, PolygonError};
 
 use super::document::Document;
 use super::fault::PartFault;
-use super::number::{PerPiece, Point};
+use super::number::{Finite, PerPiece, Point};
 use super::place::Place;
 use super::schema;
 use super::solid;
+use super::touch::allowed;
 use crate::failure::Failure;
 
 pub(crate) use super::solid::SpatialShape;
@@ -77,7 +78,8 @@ pub(crate) fn outline_part(
         (Some(corners), Some(stiffness)) => {
             check_no_center(document, planar)?;
             let outline = outline(document, corners)?;
-            with_stiffness(document, outline, stiffness)
+            let part = with_stiffness(document, outline, stiffness)?;
+            allowed(document, part, planar)
         }
     }
 }
@@ -87,15 +89,16 @@ fn planar_body(document: &Document, planar: &schema::Planar) -> Result<Body<Plan
         (Some(corners), None) => {
             check_no_center(document, planar)?;
             let outline = outline(document, corners)?;
-            let Some(stiffness) = &planar.stiffness else {
-                let shape = PlanarShape::Outline(Box::new(outline));
-                return Ok(Body { shape, stiffness: None });
-            };
-            let part = with_stiffness(document, outline, stiffness)?;
+            // Where fingers may not touch depends on no stiffness.
+            let given = planar.stiffness.as_ref();
+            let any = PerPiece::All(Finite(1.0));
+            let part = with_stiffness(document, outline, given.unwrap_or(&any))?;
+            let part = allowed(document, part, planar)?;
             let shape = PlanarShape::Outline(Box::new(part.outline().clone()));
-            Ok(Body { shape, stiffness: Some(part.edge_stiffness().to_vec()) })
+            Ok(Body { shape, stiffness: given.map(|_| part.edge_stiffness().to_vec()) })
         }
         (None, Some(semi_axes)) => {
+            check_no_margin(document, planar)?;
             let (place, center) = (Place::planar(), planar.center);
             let ellipse = ellipsoid(document, &place, "ellipse", *semi_axes, center)?;
             let reason = "an ellipse has no edges";
@@ -116,6 +119,19 @@ fn check_no_center(document: &Document, planar: &schema::Planar) -> Result<(), F
             Err(document.error(&Place::planar().field("center"), fault))
         }
         None => Ok(()),
+    }
+}
+
+fn check_no_margin(document: &Document, planar: &schema::Planar) -> Result<(), Failure> {
+    let only = |name, found| {
+        document.error(&Place::planar().field(name), PartFault::OutlineOnly { found })
+    };
+    match planar {
+        schema::Planar { margin: Some(_), .. } => Err(only("margin", "a `margin`")),
+        schema::Planar { forbidden, .. } if !forbidden.is_empty() => {
+            Err(only("forbidden", "`forbidden` edges"))
+        }
+        _ => Ok(()),
     }
 }
 
@@ -144,7 +160,7 @@ fn with_stiffness(
             OptimizeError::Stiffness { edge, .. } if each => place.item(edge),
             _ => place,
         };
-        document.error(&place, PartFault::EdgeStiffness(e))
+        document.error(&place, PartFault::EdgeStiffness(Box::new(e)))
     })
 }
 

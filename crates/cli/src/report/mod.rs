@@ -27,9 +27,9 @@ use crate::failure::Failure;
 pub(crate) use analysis::AnalysisReport;
 pub(crate) use analysis_text::AnalysisText;
 pub(crate) use number::{UnitNames, spot};
-pub(crate) use optimum::{OptimumReport, Question, UnansweredReport};
+pub(crate) use optimum::{EffortReport, OptimumReport, Question, UnansweredReport};
 pub(crate) use optimum_text::OptimumText;
-pub(crate) use words::LimitWord;
+pub(crate) use words::{LimitWord, ObjectiveWord};
 
 /// A report as JSON.
 pub(crate) fn json(report: &impl Serialize) -> Result<String, Failure> {

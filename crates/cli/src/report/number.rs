@@ -4,6 +4,7 @@ use std::fmt::{self, Display};
 
 use serde::{Serialize, Serializer};
 
+use crate::input::Whole;
 use crate::input::schema::Units;
 use crate::wording::digits;
 
@@ -14,6 +15,11 @@ pub(super) const INVISIBLE: f64 = 1e-12;
 /// A number beside something of the given `size`: zero if it is rounding.
 pub(super) fn beside(size: f64, value: f64) -> String {
     digits(if value.abs() <= INVISIBLE * size { 0.0 } else { value })
+}
+
+/// A count in words.
+pub(super) fn counted(value: f64) -> String {
+    Whole::exactly(value).map_or_else(|| digits(value), |count| count.0.to_string())
 }
 
 /// A point or a direction, beside something of the given `size`.

@@ -1,12 +1,14 @@
 //! The report on the best placements.
 
+use std::num::NonZeroUsize;
+
 use clench::optimize::polygon::Part;
-use clench::optimize::{Outcome, Placement};
-use serde::Serialize;
+use clench::optimize::{Combinations, Outcome, Placement};
+use serde::{Serialize, Serializer};
 
 use super::quality::ReachReport;
-use super::words::LimitWord;
-use crate::input::{Finite, schema};
+use super::words::{EndWord, LimitWord, ObjectiveWord};
+use crate::input::{Finite, Whole, schema};
 use crate::optimize::Found;
 use crate::view::plain;
 
@@ -17,9 +19,26 @@ pub(crate) struct Question<'a> {
     pub(crate) dimension: u8,
     pub(crate) units: &'a schema::Units,
     pub(crate) part: &'a schema::Part,
-    pub(crate) fingers: u8,
+    pub(crate) fingers: usize,
+    pub(crate) objective: ObjectiveWord,
+    /// Only where rotation is the objective.
+    pub(crate) least_translation: Option<f64>,
     pub(crate) total_preload: Option<f64>,
     pub(crate) finger_radius: f64,
+    /// Not of three fingers.
+    pub(crate) least_distance: Option<f64>,
+    pub(crate) least_share: f64,
+    pub(crate) effort: EffortReport,
+}
+
+/// How far the search was to go.
+#[derive(Clone, Copy, Debug, Serialize)]
+pub(crate) struct EffortReport {
+    pub(crate) top: NonZeroUsize,
+    pub(crate) gap: f64,
+    /// In seconds.
+    pub(crate) time: Option<f64>,
+    pub(crate) nodes: Option<u64>,
 }
 
 /// The report when no placement holds the part.
@@ -37,8 +56,6 @@ pub(crate) struct OptimumReport<'a> {
     pub(crate) question: &'a Question<'a>,
     #[serde(flatten)]
     pub(crate) best: PlacementReport,
-    /// How many other combinations of edges are as good.
-    pub(crate) ties: usize,
     pub(crate) certificate: CertificateReport,
     pub(crate) combinations: CombinationsReport,
     /// The best combinations, the best of all included; only if more than one was asked for.
@@ -85,6 +102,7 @@ pub(crate) struct PlacedFinger {
 #[derive(Clone, Copy, Debug, Serialize)]
 pub(crate) struct CertificateReport {
     pub(crate) proved: bool,
+    pub(crate) ended: EndWord,
     pub(crate) upper_bound: f64,
     pub(crate) gap: f64,
 }
@@ -92,8 +110,10 @@ pub(crate) struct CertificateReport {
 /// What the search took.
 #[derive(Clone, Copy, Debug, Serialize)]
 pub(crate) struct CombinationsReport {
-    pub(crate) total: u64,
+    #[serde(serialize_with = "count")]
+    pub(crate) total: f64,
     pub(crate) examined: u64,
+    pub(crate) nodes: u64,
 }
 
 impl<'a> OptimumReport<'a> {
@@ -108,21 +128,18 @@ impl<'a> OptimumReport<'a> {
         let best = placement(best);
         let all = std::iter::once(best.clone()).chain(others.iter().map(placement));
         let top = if others.is_empty() { Vec::new() } else { all.collect() };
-        let (upper_bound, combinations) = (outcome.certificate.upper_bound, outcome.combinations);
+        let ended = EndWord::from(outcome.certificate.ended);
+        let Combinations { total, examined, nodes } = outcome.combinations;
         Self {
-            // The search ends with the proof only.
             certificate: CertificateReport {
-                proved: true,
-                upper_bound,
-                gap: (upper_bound - best.quality) / upper_bound,
+                proved: ended == EndWord::Proved,
+                ended,
+                upper_bound: outcome.certificate.upper_bound,
+                gap: outcome.gap(),
             },
             question,
             best,
-            ties: outcome.ties,
-            combinations: CombinationsReport {
-                total: combinations.total,
-                examined: combinations.examined,
-            },
+            combinations: CombinationsReport { total, examined, nodes },
             top,
         }
     }
@@ -159,6 +176,15 @@ impl PlacementReport {
         }
     }
 
+    /// What was maximized.
+    pub(crate) fn value(&self, objective: ObjectiveWord) -> f64 {
+        match objective {
+            ObjectiveWord::Quality => self.quality,
+            ObjectiveWord::WorstPoint => self.worst_point_stiffness,
+            ObjectiveWord::Rotation => self.mu_eq,
+        }
+    }
+
     /// The edges that the fingers touch.
     pub(crate) fn edges(&self) -> Vec<usize> {
         self.contacts.iter().map(|contact| contact.edge).collect()
@@ -181,5 +207,14 @@ impl PlacedFinger {
                 ..schema::Finger::default()
             },
         }
+    }
+}
+
+/// A count that is a whole number where a double has all of its digits.
+#[expect(clippy::trivially_copy_pass_by_ref, reason = "the form that serde asks for")]
+fn count<S: Serializer>(value: &f64, serializer: S) -> Result<S::Ok, S::Error> {
+    match Whole::exactly(*value) {
+        Some(count) => count.serialize(serializer),
+        None => value.serialize(serializer),
     }
 }

@@ -6,11 +6,11 @@ use clench::optimize::polygon::Part;
 
 use super::analysis::NO_SHARE;
 use super::analysis_text::share;
-use super::number::{UnitNames, numbered, spot};
+use super::number::{UnitNames, counted, numbered, spot};
 use super::optimum::{OptimumReport, PlacementReport};
 use super::page::Page;
-use super::words::LimitWord;
-use crate::wording::{counted, digits, precise_digits};
+use super::words::{EndWord, LimitWord, ObjectiveWord};
+use crate::wording::{digits, precise_digits, rough_digits};
 
 /// A report, and the part and the name of the file that it is on.
 #[derive(Debug)]
@@ -54,7 +54,14 @@ impl OptimumText<'_> {
     }
 
     fn count(&self) -> &'static str {
-        if self.report.question.fingers == 3 { "three" } else { "four" }
+        match self.report.question.fingers {
+            3 => "three",
+            4 => "four",
+            5 => "five",
+            6 => "six",
+            7 => "seven",
+            _ => "eight",
+        }
     }
 
     fn head(&self, page: &mut Page) {
@@ -74,8 +81,11 @@ impl OptimumText<'_> {
         page.head("fingers", format_args!("{}, frictionless, {tips}; {preload}", self.count()));
         let best = &report.best;
         let q = units.stiffness(best.quality);
+        self.conditions(page);
         page.head("quality", format_args!("Q = {q}, limited by {}", best.limited_by));
+        self.objective(page);
         self.certificate(page);
+        self.ties(page);
         self.limits(page);
     }
 
@@ -97,29 +107,103 @@ impl OptimumText<'_> {
         }
     }
 
-    fn certificate(&self, page: &mut Page) {
-        let report = self.report;
-        page.head(
-            "proved",
-            format_args!(
-                "no placement of {} fingers on this outline does better; \
-                 {} combinations of edges, {} solved exactly",
-                self.count(),
-                report.combinations.total,
-                report.combinations.examined
-            ),
-        );
-        if report.best.limited_by == LimitWord::Translation {
-            page.head(
-                "ties",
-                "placements on these edges are as good while mu_eq is at least sigma_min; \
-                 this one has the largest mu_eq",
-            );
+    /// What was asked of the placement besides that it holds the part.
+    fn conditions(&self, page: &mut Page) {
+        let (question, units) = (self.report.question, self.units());
+        let mut conditions = Vec::new();
+        if let Some(least) = question.least_translation.filter(|least| *least > 0.0) {
+            conditions.push(format!("sigma_min at least {}", units.stiffness(least)));
         }
-        if report.ties > 0 {
-            let others = counted(report.ties, "other combination");
-            let are = if report.ties == 1 { "is" } else { "are" };
-            page.head("ties", format_args!("{others} of edges {are} as good"));
+        if let Some(least) = question.least_distance.filter(|least| *least > 0.0) {
+            conditions.push(format!("{} or more apart on one edge", units.length(least)));
+        }
+        if question.least_share > 0.0 {
+            let least = digits(question.least_share);
+            conditions.push(format!("{least} or more of the preload each"));
+        }
+        let planar = question.part.planar.as_ref();
+        if let Some(margin) = planar.and_then(|planar| planar.margin).filter(|m| m.0 > 0.0) {
+            conditions.push(format!("{} or more from each corner", units.length(margin.0)));
+        }
+        let forbidden = planar.map_or(&[][..], |planar| &planar.forbidden);
+        if !forbidden.is_empty() {
+            let edges = forbidden.iter().map(ToString::to_string).collect::<Vec<_>>().join(", ");
+            conditions.push(format!("none on {edges}"));
+        }
+        if !conditions.is_empty() {
+            page.head("asked for", conditions.join("; "));
+        }
+    }
+
+    /// What was maximized, where it is not the quality.
+    fn objective(&self, page: &mut Page) {
+        let (report, objective) = (self.report, self.report.question.objective);
+        let meaning = match objective {
+            ObjectiveWord::Quality => return,
+            ObjectiveWord::WorstPoint => "least force per deflection",
+            ObjectiveWord::Rotation => "equivalent rotational stiffness",
+        };
+        let value = self.units().stiffness(report.best.value(objective));
+        page.head("maximized", format_args!("{objective} = {value}, the {meaning}"));
+    }
+
+    /// How the search ended, and what is proved then.
+    fn certificate(&self, page: &mut Page) {
+        let (certificate, question) = (self.report.certificate, self.report.question);
+        let (effort, nodes) = (question.effort, self.report.combinations.nodes);
+        let placement = format!("no placement of {} fingers on this outline", self.count());
+        let bound = format!(
+            "{placement} has {} above {}, a gap of {}",
+            question.objective,
+            self.units().stiffness(certificate.upper_bound),
+            rough_digits(certificate.gap)
+        );
+        match certificate.ended {
+            EndWord::Proved => page.head("proved", format_args!("{placement} does better")),
+            EndWord::Gap => {
+                let gap = rough_digits(effort.gap);
+                page.head("bounded", format_args!("{bound}; {gap} was allowed"));
+            }
+            EndWord::Time => {
+                let time = digits(effort.time.unwrap_or(0.0));
+                page.head("stopped", format_args!("after {time} s, as asked for: {bound}"));
+            }
+            EndWord::Nodes => {
+                let plural = if nodes == 1 { "" } else { "s" };
+                page.head(
+                    "stopped",
+                    format_args!("after {nodes} node{plural}, as asked for: {bound}"),
+                );
+            }
+            EndWord::Interrupted => {
+                page.head("stopped", format_args!("by an interrupt: {bound}"));
+            }
+        }
+        page.head("search", self.effort());
+    }
+
+    fn effort(&self) -> String {
+        let combinations = self.report.combinations;
+        let planar = self.report.question.part.planar.as_ref();
+        let cut = planar.is_some_and(|planar| !planar.forbidden.is_empty());
+        format!(
+            "{} combinations of {}, {} solved exactly; {} sets of them bounded",
+            counted(combinations.total),
+            if cut { "stretches of edges" } else { "edges" },
+            combinations.examined,
+            combinations.nodes
+        )
+    }
+
+    /// What was maximized among placements of the same quality.
+    fn ties(&self, page: &mut Page) {
+        let report = self.report;
+        let quality = report.question.objective == ObjectiveWord::Quality;
+        if quality && report.best.limited_by == LimitWord::Translation {
+            let known = if report.certificate.proved { "" } else { " that was found" };
+            let ties = "placements on these edges are as good while mu_eq is at least sigma_min";
+            let chosen = format!("this one has the largest mu_eq{known}");
+            page.head("ties", format_args!("{ties}; {chosen}"));
         }
     }
 
@@ -179,24 +263,41 @@ impl OptimumText<'_> {
     }
 
     fn top(&self, page: &mut Page) {
-        let unit = self.units().per_length();
-        let mut rows = vec![vec![
-            "place".to_owned(),
+        let (report, unit) = (self.report, self.units().per_length());
+        let objective = report.question.objective;
+        let other = objective != ObjectiveWord::Quality;
+        let mut heading = vec!["place".to_owned()];
+        if other {
+            heading.push(format!("{objective} [{unit}]"));
+        }
+        heading.extend([
             format!("Q [{unit}]"),
             "limited by".to_owned(),
             "edges".to_owned(),
-            format!("points [{}]", self.report.question.units.length),
-        ]];
-        for (i, placement) in self.report.top.iter().enumerate() {
-            rows.push(vec![
-                (i + 1).to_string(),
+            format!("points [{}]", report.question.units.length),
+        ]);
+        let mut rows = vec![heading];
+        for (i, placement) in report.top.iter().enumerate() {
+            let mut row = vec![(i + 1).to_string()];
+            if other {
+                row.push(digits(placement.value(objective)));
+            }
+            row.extend([
                 digits(placement.quality),
                 placement.limited_by.to_string(),
                 placement.edges().iter().map(ToString::to_string).collect::<Vec<_>>().join(" "),
                 self.points(placement),
             ]);
+            rows.push(row);
         }
         page.table(&rows);
+        page.line(match report.certificate.ended {
+            EndWord::Proved => {
+                "proved: on no other combination is a placement better than the last"
+            }
+            EndWord::Gap => "better ones on other combinations are within the gap",
+            _ => "stopped: other combinations may have better placements than these",
+        });
     }
 
     fn points(&self, placement: &PlacementReport) -> String {

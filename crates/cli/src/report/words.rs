@@ -4,6 +4,7 @@ use std::fmt;
 
 use clench::contact::Order;
 use clench::metrics::LimitedBy;
+use clench::optimize::Ended;
 use clench::stiffness::Stability;
 use serde::Serialize;
 
@@ -31,6 +32,38 @@ pub(crate) enum StabilityWord {
 pub(crate) enum LimitWord {
     Translation,
     Rotation,
+}
+
+/// What is maximized.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub(crate) enum ObjectiveWord {
+    Quality,
+    WorstPoint,
+    Rotation,
+}
+
+/// Why a search ended.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub(crate) enum EndWord {
+    Proved,
+    Gap,
+    Time,
+    Nodes,
+    Interrupted,
+}
+
+impl From<Ended> for EndWord {
+    fn from(ended: Ended) -> Self {
+        match ended {
+            Ended::Proved => Self::Proved,
+            Ended::Gap => Self::Gap,
+            Ended::Time => Self::Time,
+            Ended::Nodes => Self::Nodes,
+            Ended::Cancelled => Self::Interrupted,
+        }
+    }
 }
 
 impl From<Order> for OrderWord {
@@ -69,6 +102,17 @@ impl fmt::Display for StabilityWord {
             Self::SecondOrder => "second order",
             Self::Marginal => "marginal",
             Self::Unstable => "unstable",
+        })
+    }
+}
+
+/// The symbol of what is maximized.
+impl fmt::Display for ObjectiveWord {
+    fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
+        out.write_str(match self {
+            Self::Quality => "Q",
+            Self::WorstPoint => "Q_pt",
+            Self::Rotation => "mu_eq",
         })
     }
 }

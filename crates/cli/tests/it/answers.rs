@@ -131,7 +131,8 @@ fn text_and_json_agree() {
     assert_eq!((optimum.code, optimum.err.as_str()), (Some(0), ""));
     for piece in [
         "Q = 1.68377 F/L, limited by translation",
-        "no placement of four fingers on this outline does better; 13 combinations",
+        "proved    no placement of four fingers on this outline does better\n",
+        "search    35 combinations of edges, ",
         "mu_eq                 1.86483 F/L",
         "center of compliance  (6.5, 1.75) L",
         "(1.175, 3.525)",

@@ -46,7 +46,7 @@ fn the_commands_of_the_readme_find_an_answer() {
             ran += 1;
         }
     }
-    assert_eq!(ran, 6);
+    assert_eq!(ran, 7);
     let drawn = fs::read_to_string(folder.path("bracket.svg")).unwrap();
     assert!(
         drawn == document("docs/bracket.svg"),

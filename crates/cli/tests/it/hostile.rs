@@ -211,7 +211,9 @@ fn wrong_usage_has_its_own_exit_code() {
     folder.write("part.toml", part(QUADRILATERAL, "1"));
     for (arguments, piece) in [
         ("optimize part.toml", "--fingers"),
-        ("optimize part.toml --fingers 5", "[possible values: 3, 4]"),
+        ("optimize part.toml --fingers 2", "found 2, expected from 3 to 8"),
+        ("optimize part.toml --fingers 9", "found 9, expected from 3 to 8"),
+        ("optimize part.toml --fingers four", "found four, expected from 3 to 8"),
         ("optimize part.toml --fingers 3", "--preload <F>"),
         ("optimize part.toml --fingers 3", "resist rotation by their preload alone"),
         ("optimize part.toml --fingers 4 --preload -1", "expected more than 0"),

@@ -1,6 +1,7 @@
 //! The tests of the `clench` command, in one binary: each runs it on files of its own.
 
 mod answers;
+mod conditions;
 mod contacts;
 mod documents;
 mod fingers;
@@ -14,5 +15,6 @@ mod reference_numbers;
 mod references;
 mod refusals;
 mod run;
+mod searches;
 mod solids;
 mod unanswered;

@@ -1,4 +1,4 @@
-//! A polygonal part and the stiffness of its edges.
+//! A polygonal part: its outline, the stiffness of its edges, and where they may be touched.
 
 use clench_shape::Polygon;
 
@@ -10,11 +10,39 @@ use crate::OptimizeError;
 /// as their ratio has; with this one, a third of the digits of a double remain.
 pub const LARGEST_SPREAD: f64 = 1e10;
 
-/// An outline with the contact stiffness of each of its edges.
+/// A part of an edge that fingers may touch.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Stretch {
+    /// The edge, numbered as in the outline.
+    pub edge: usize,
+    /// Where it begins, from the edge's start (length).
+    pub from: f64,
+    /// Where it ends (length).
+    pub to: f64,
+}
+
+/// An outline with the contact stiffness of each of its edges, and the stretches of them that
+/// fingers may touch: all, unless some are taken away.
+///
+/// ```
+/// use clench_optimize::polygon::{Part, Stretch};
+/// use clench_shape::Polygon;
+///
+/// let square = Polygon::new(&[[0.0, 0.0], [8.0, 0.0], [8.0, 8.0], [0.0, 8.0]])?;
+/// let part = Part::uniform(square, 1.0)?
+///     .with_margin(1.0)?
+///     .without(Stretch { edge: 2, from: 3.0, to: 5.0 })?
+///     .without_edge(3)?;
+/// let left: Vec<_> = part.stretches().iter().map(|s| (s.edge, s.from, s.to)).collect();
+/// assert_eq!(left, [(0, 1.0, 7.0), (1, 1.0, 7.0), (2, 1.0, 3.0), (2, 5.0, 7.0)]);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Clone, Debug)]
 pub struct Part {
     outline: Polygon,
     edge_stiffness: Vec<f64>,
+    /// By edge, then from its start on.
+    stretches: Vec<Stretch>,
 }
 
 impl Part {
@@ -39,7 +67,10 @@ impl Part {
             let limit = LARGEST_SPREAD;
             return Err(OptimizeError::StiffnessSpread { smallest, largest, limit });
         }
-        Ok(Self { outline, edge_stiffness })
+        let edges = outline.edges().iter().enumerate();
+        let stretches =
+            edges.map(|(edge, e)| Stretch { edge, from: 0.0, to: e.length() }).collect();
+        Ok(Self { outline, edge_stiffness, stretches })
     }
 
     /// The part with the same stiffness (force / length) on each edge.
@@ -52,6 +83,56 @@ impl Part {
         Self::new(outline, edge_stiffness)
     }
 
+    /// The part whose edges may not be touched nearer than `margin` (length) to their ends.
+    ///
+    /// Edges that are shorter than twice the margin are not touched at all.
+    ///
+    /// # Errors
+    ///
+    /// [`OptimizeError::Margin`] when it is negative or not finite.
+    pub fn with_margin(mut self, margin: f64) -> Result<Self, OptimizeError> {
+        if !(margin >= 0.0 && margin.is_finite()) {
+            return Err(OptimizeError::Margin { value: margin });
+        }
+        for stretch in &mut self.stretches {
+            let length = self.outline.edges()[stretch.edge].length();
+            stretch.from = stretch.from.max(margin);
+            stretch.to = stretch.to.min(length - margin);
+        }
+        self.stretches.retain(|s| s.from < s.to);
+        Ok(self)
+    }
+
+    /// The part that may not be touched on `forbidden`; what sticks out of its edge does not count.
+    ///
+    /// # Errors
+    ///
+    /// [`OptimizeError::NoSuchEdge`]; [`OptimizeError::Stretch`] when it does not go forward.
+    pub fn without(mut self, forbidden: Stretch) -> Result<Self, OptimizeError> {
+        let Stretch { edge, from, to } = forbidden;
+        self.checked([edge])?;
+        if from.is_nan() || to.is_nan() || from >= to {
+            return Err(OptimizeError::Stretch { edge, from, to });
+        }
+        let cut = |s: Stretch| {
+            let before = Stretch { to: s.to.min(from), ..s };
+            let after = Stretch { from: s.from.max(to), ..s };
+            let pieces = if s.edge == edge { [Some(before), Some(after)] } else { [Some(s), None] };
+            pieces.into_iter().flatten().filter(|piece| piece.from < piece.to)
+        };
+        self.stretches = self.stretches.into_iter().flat_map(cut).collect();
+        Ok(self)
+    }
+
+    /// The part whose edge `edge` may not be touched.
+    ///
+    /// # Errors
+    ///
+    /// [`OptimizeError::NoSuchEdge`].
+    pub fn without_edge(self, edge: usize) -> Result<Self, OptimizeError> {
+        self.without(Stretch { edge, from: f64::NEG_INFINITY, to: f64::INFINITY })
+    }
+
     /// The outline.
     #[must_use]
     pub const fn outline(&self) -> &Polygon {
@@ -62,6 +143,12 @@ impl Part {
     #[must_use]
     pub fn edge_stiffness(&self) -> &[f64] {
         &self.edge_stiffness
+    }
+
+    /// Where fingers may touch, by edge and along each edge from its start on.
+    #[must_use]
+    pub fn stretches(&self) -> &[Stretch] {
+        &self.stretches
     }
 
     /// `edges` in ascending order, if they all exist.

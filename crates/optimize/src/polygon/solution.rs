@@ -1,6 +1,6 @@
 //! From contact points to a solution: the metrics of what was found.
 
-use clench_metrics::{MetricsError, Principal, Quality};
+use clench_metrics::{MetricsError, Principal, Quality, WorstPoint};
 use clench_screw::{Stiffness, Vector, Wrench};
 
 use super::Part;
@@ -39,6 +39,12 @@ impl Solution {
         Self::of(part, placements, Principal::of(center, &stiffness))
     }
 
+    /// The worst point of the part held so.
+    pub(super) fn worst_point(&self, part: &Part) -> Result<WorstPoint<2>, OptimizeError> {
+        let source = |source| OptimizeError::OutOfRange { edges: self.edges(), source };
+        WorstPoint::of(&self.principal, part.outline()).map_err(source)
+    }
+
     fn of(
         part: &Part,
         placements: Vec<Placement>,
@@ -48,7 +54,9 @@ impl Solution {
             Quality::of(&principal, part.outline()).map(|quality| (principal, quality))
         });
         match evaluated {
-            Ok((principal, quality)) => Ok(Self { placements, quality, principal }),
+            Ok((principal, quality)) => {
+                Ok(Self { placements, objective: quality.value, quality, principal })
+            }
             Err(source) => {
                 let edges = placements.iter().map(|p| p.edge).collect();
                 Err(OptimizeError::OutOfRange { edges, source })

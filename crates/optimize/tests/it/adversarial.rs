@@ -1,8 +1,8 @@
 //! Parts on which faces degenerate: symmetric ones, parallel and nearly parallel edges, widely
 //! different stiffnesses. Each family is held against sampling, and against itself.
 
-use clench_optimize::OptimizeError;
-use clench_optimize::polygon::{FourFingers, Part, four_fingers, four_fingers_on};
+use clench_optimize::polygon::{Fingers, Part, fingers, four_fingers_on};
+use clench_optimize::{Effort, OptimizeError, unwatched};
 use clench_screw::planar::Frame;
 use clench_shape::Polygon;
 use clench_testkit::{Random, assert_close};
@@ -48,7 +48,7 @@ fn nearly_parallel(r: &mut Random) -> Vec<[f64; 2]> {
 fn check(family: &str, corners: &[[f64; 2]], stiffness: Vec<f64>, r: &mut Random) {
     let what = format!("{family} {corners:?} {stiffness:?}");
     let part = Part::new(Polygon::new(corners).unwrap(), stiffness).unwrap();
-    let outcome = four_fingers(&part, &FourFingers::default(), |_| {}).unwrap();
+    let outcome = fingers(&part, &Fingers::new(4), &Effort::default(), unwatched).unwrap();
     let best = outcome.best.quality.value;
     assert_close(outcome.certificate.upper_bound, best, 1e-7, best, format!("bound of {what}"));
     let margin = outcome.best.placements.iter().map(|p| p.share).fold(f64::INFINITY, f64::min);
@@ -62,7 +62,7 @@ fn check(family: &str, corners: &[[f64; 2]], stiffness: Vec<f64>, r: &mut Random
                 for d in c..n {
                     let edges = [a, b, c, d];
                     // Nearly parallel edges alone may hold less than rounding can tell.
-                    let q = match four_fingers_on(&part, edges) {
+                    let q = match four_fingers_on(&part, edges, &Fingers::new(4)) {
                         Ok(found) => found.map(|s| s.quality),
                         Err(OptimizeError::OutOfRange { .. }) => continue,
                         Err(other) => panic!("{other}"),
@@ -128,7 +128,7 @@ fn any_rectangle_is_held_with_quality_two() {
     let r = &mut Random::new(62);
     for _ in 0..300 {
         let part = Part::uniform(Polygon::new(&rectangle(r)).unwrap(), 1.0).unwrap();
-        let outcome = four_fingers(&part, &FourFingers::default(), |_| {}).unwrap();
+        let outcome = fingers(&part, &Fingers::new(4), &Effort::default(), unwatched).unwrap();
         assert_close(outcome.best.quality.value, 2.0, 1e-12, 2.0, "rectangle");
     }
 }
@@ -141,7 +141,11 @@ fn turning_a_regular_polygon_does_not_change_its_quality() {
             let angle = |i| first + std::f64::consts::TAU * f64::from(i) / f64::from(n);
             let corners: Vec<_> = (0..n).map(|i| [angle(i).cos(), angle(i).sin()]).collect();
             let part = Part::uniform(Polygon::new(&corners).unwrap(), 1.0).unwrap();
-            four_fingers(&part, &FourFingers::default(), |_| {}).unwrap().best.quality.value
+            fingers(&part, &Fingers::new(4), &Effort::default(), unwatched)
+                .unwrap()
+                .best
+                .quality
+                .value
         };
         let wanted = quality(0.0);
         for _ in 0..6 {
@@ -168,7 +172,11 @@ fn placements_that_only_touch_the_pushing_cone_are_no_limits() {
     for angle in [0.0, 0.3, 1.1, 4.0] {
         let outline = Polygon::new(&turned(&s, angle)).unwrap();
         let part = Part::uniform(outline, 1.0).unwrap();
-        assert_eq!(four_fingers_on(&part, [2, 3, 6, 7]).unwrap(), None, "{angle}");
+        assert_eq!(
+            four_fingers_on(&part, [2, 3, 6, 7], &Fingers::new(4)).unwrap(),
+            None,
+            "{angle}"
+        );
     }
 }
 
@@ -188,7 +196,7 @@ fn touching_is_recognized_on_short_edges_far_from_the_center() {
             [0.0, 1.0],
         ];
         let part = Part::uniform(Polygon::new(&s).unwrap(), 1.0).unwrap();
-        assert_eq!(four_fingers_on(&part, [3, 4, 7, 8]).unwrap(), None, "{tail}");
+        assert_eq!(four_fingers_on(&part, [3, 4, 7, 8], &Fingers::new(4)).unwrap(), None, "{tail}");
     }
 }
 
@@ -209,7 +217,8 @@ fn far_centers_of_compliance_do_not_hide_the_optimum() {
         0.766_202_422_780_366,
     ];
     let part = Part::new(Polygon::new(&sliver).unwrap(), stiffness).unwrap();
-    let found = four_fingers(&part, &FourFingers::default(), |_| {}).unwrap().best.quality.value;
+    let found =
+        fingers(&part, &Fingers::new(4), &Effort::default(), unwatched).unwrap().best.quality.value;
     assert!(found >= 2.1306e-6, "{found:e}");
 
     let sliver = [
@@ -229,6 +238,10 @@ fn far_centers_of_compliance_do_not_hide_the_optimum() {
         0.622_641_257_584_861_2,
     ];
     let part = Part::new(Polygon::new(&sliver).unwrap(), stiffness).unwrap();
-    let found = four_fingers_on(&part, [0, 2, 4, 5]).unwrap().unwrap().quality.equivalent();
+    let found = four_fingers_on(&part, [0, 2, 4, 5], &Fingers::new(4))
+        .unwrap()
+        .unwrap()
+        .quality
+        .equivalent();
     assert!(found >= 1.8110e-6, "{found:e}");
 }

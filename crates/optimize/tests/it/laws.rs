@@ -1,11 +1,10 @@
 //! What must not change the optimum, and what must order it.
 
 use std::num::NonZeroUsize;
+use std::ops::ControlFlow;
 
-use clench_optimize::Outcome;
-use clench_optimize::polygon::{
-    FourFingers, Part, ThreeFingers, four_fingers, four_fingers_on, three_fingers,
-};
+use clench_optimize::polygon::{Fingers, Part, fingers, four_fingers_on};
+use clench_optimize::{Effort, Ended, Outcome, Progress, unwatched};
 use clench_screw::planar::Frame;
 use clench_shape::Polygon;
 use clench_testkit::{Random, assert_close};
@@ -15,11 +14,11 @@ fn part(corners: &[[f64; 2]], stiffness: &[f64]) -> Part {
 }
 
 fn best(part: &Part) -> Outcome {
-    four_fingers(part, &FourFingers::default(), |_| {}).unwrap()
+    fingers(part, &Fingers::new(4), &Effort::default(), unwatched).unwrap()
 }
 
-fn top(count: usize) -> FourFingers {
-    FourFingers { top: NonZeroUsize::new(count).unwrap() }
+fn top(count: usize) -> Effort {
+    Effort { top: NonZeroUsize::new(count).unwrap(), ..Effort::default() }
 }
 
 #[test]
@@ -30,7 +29,7 @@ fn the_outcome_is_the_same_for_any_number_of_threads() {
         .iter()
         .map(|&threads| {
             let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
-            pool.install(|| four_fingers(&part, &top(5), |_| {}).unwrap())
+            pool.install(|| fingers(&part, &Fingers::new(4), &top(5), unwatched).unwrap())
         })
         .collect();
     for outcome in &outcomes {
@@ -106,13 +105,13 @@ fn the_top_combinations_are_the_best_of_all_combinations() {
             for b in a..corners {
                 for c in b..corners {
                     for d in c..corners {
-                        all.extend(four_fingers_on(&part, [a, b, c, d]).unwrap());
+                        all.extend(four_fingers_on(&part, [a, b, c, d], &Fingers::new(4)).unwrap());
                     }
                 }
             }
         }
         all.sort_by(|x, y| y.quality.value.total_cmp(&x.quality.value));
-        let found = four_fingers(&part, &top(7), |_| {}).unwrap();
+        let found = fingers(&part, &Fingers::new(4), &top(7), unwatched).unwrap();
         assert_eq!(found.solutions().count(), all.len().min(7));
         for (solution, wanted) in found.solutions().zip(&all) {
             let (q, w) = (solution.quality.value, wanted.quality.value);
@@ -124,31 +123,40 @@ fn the_top_combinations_are_the_best_of_all_combinations() {
     }
 }
 
+/// The hexagon's rotations and reflections carry one optimum to others, and the first is reported.
 #[test]
-fn symmetric_parts_count_their_ties() {
+fn ties_are_broken_by_the_numbers_of_the_edges() {
     let angles = (0..6).map(|i| f64::from(i) * std::f64::consts::FRAC_PI_3);
     let hexagon: Vec<_> = angles.map(|a| [a.cos(), a.sin()]).collect();
-    let outcome = four_fingers(&part(&hexagon, &[1.0; 6]), &top(12), |_| {}).unwrap();
-    let qualities: Vec<f64> = outcome.solutions().map(|s| s.quality.value).collect();
-    let quality = |i: usize| qualities[i];
-    let equal = (1..12).take_while(|&i| (quality(i) - quality(0)).abs() <= 1e-12).count();
-    // The hexagon's rotations and reflections carry one optimum to others.
-    assert!(outcome.ties >= 2 && outcome.ties == equal, "{} {equal}", outcome.ties);
-
-    let triangle = [[0.0, 0.0], [2.0, 0.0], [1.0, 3.0_f64.sqrt()]];
-    let three =
-        three_fingers(&part(&triangle, &[1.0; 3]), &ThreeFingers::with_preload(0.1), |_| {});
-    assert_eq!(three.unwrap().ties, 0);
+    let part = part(&hexagon, &[1.0; 6]);
+    let outcome = fingers(&part, &Fingers::new(4), &top(12), unwatched).unwrap();
+    let best = &outcome.best;
+    let tied: Vec<_> = outcome
+        .solutions()
+        .filter(|s| (s.quality.value / best.quality.value - 1.0).abs() < 1e-12)
+        .filter(|s| (s.quality.equivalent() / best.quality.equivalent() - 1.0).abs() < 1e-12)
+        .map(clench_optimize::Solution::edges)
+        .collect();
+    assert!(tied.len() >= 3 && tied.is_sorted(), "{tied:?}");
 }
 
 #[test]
-fn progress_ends_with_everything_settled() {
+fn progress_closes_in_on_the_optimum() {
     let r = &mut Random::new(56);
     let part = part(&r.star(12), &[1.0; 12]);
     let mut seen = Vec::new();
-    let outcome = four_fingers(&part, &FourFingers::default(), |p| seen.push(*p)).unwrap();
-    let last = seen.last().unwrap();
-    assert_eq!((last.settled, last.total), (last.total, outcome.combinations.total));
-    assert!(seen.windows(2).all(|w| w[0].settled < w[1].settled && w[0].best <= w[1].best));
-    assert!(outcome.combinations.examined < outcome.combinations.total);
+    let watch = |p: &Progress| {
+        seen.push(*p);
+        ControlFlow::Continue(())
+    };
+    let outcome = fingers(&part, &Fingers::new(4), &Effort::default(), watch).unwrap();
+    let best = outcome.best.objective;
+    assert!(seen.len() > 2, "{}", seen.len());
+    for pair in seen.windows(2) {
+        assert!(pair[0].nodes < pair[1].nodes && pair[0].best <= pair[1].best);
+        assert!(pair[0].upper_bound >= pair[1].upper_bound && pair[0].elapsed <= pair[1].elapsed);
+    }
+    assert!(seen.iter().all(|p| p.open > 0 && p.upper_bound >= best * (1.0 - 1e-12)));
+    assert_eq!(outcome.certificate.ended, Ended::Proved);
+    assert!((outcome.combinations.examined as f64) < outcome.combinations.total);
 }

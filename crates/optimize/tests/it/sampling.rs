@@ -4,8 +4,9 @@
 use clench_contact::{Contact, Geometry, Law, Order};
 use clench_metrics::{Principal, Quality};
 use clench_optimize::polygon::{
-    FourFingers, Part, ThreeFingers, four_fingers, four_fingers_on, three_fingers_on,
+    Fingers, Part, ThreeFingers, fingers, four_fingers_on, three_fingers_on,
 };
+use clench_optimize::{Effort, unwatched};
 use clench_screw::Vector;
 use clench_shape::Polygon;
 use clench_stiffness::Grasp;
@@ -104,7 +105,7 @@ fn no_sample_beats_the_four_finger_optimum_and_ascent_comes_close() {
         for _ in 0..4 {
             let mut edges = [r.below(n), r.below(n), r.below(n), r.below(n)];
             edges.sort_unstable();
-            let best = four_fingers_on(&part, edges).unwrap();
+            let best = four_fingers_on(&part, edges, &Fingers::new(4)).unwrap();
             let mut start: Option<([f64; 4], f64)> = None;
             for _ in 0..3000 {
                 let along = std::array::from_fn(|_| r.between(0.0, 1.0));
@@ -136,7 +137,7 @@ fn a_reported_placement_has_the_reported_quality() {
     let r = &mut Random::new(42);
     for corners in [3, 4, 6, 9] {
         let part = random_part(r, corners);
-        let outcome = four_fingers(&part, &FourFingers::default(), |_| {}).unwrap();
+        let outcome = fingers(&part, &Fingers::new(4), &Effort::default(), unwatched).unwrap();
         let best = &outcome.best;
         let contacts = best.placements.iter().map(|p| {
             let law = Law::linear(part.edge_stiffness()[p.edge]).unwrap();

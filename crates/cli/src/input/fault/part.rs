@@ -58,7 +58,16 @@ pub(crate) enum PartFault {
     Mesh { name: String, fault: MeshFault },
     /// The edge stiffnesses are not valid.
     #[error(transparent)]
-    EdgeStiffness(OptimizeError),
+    EdgeStiffness(Box<OptimizeError>),
+    /// A margin or a forbidden stretch is not valid.
+    #[error(transparent)]
+    Forbidden(Box<OptimizeError>),
+    /// Nothing is left of the outline.
+    #[error("no stretch of any edge is left for the fingers to touch")]
+    NowhereToTouch,
+    /// A margin or a list of edges where there is no outline.
+    #[error("found {found}, which only an `outline` has")]
+    OutlineOnly { found: &'static str },
     /// A stiffness is zero or negative.
     #[error("the stiffness is {value}, but has to be a positive finite number")]
     Stiffness { value: f64 },

@@ -1,6 +1,7 @@
 //! The file schema, version 1: what a part file and a grasp file may say.
 
 mod contact;
+mod forbidden;
 mod load;
 mod part;
 
@@ -12,6 +13,7 @@ use serde::{Deserialize, Serialize};
 use super::number::{Name, Whole};
 
 pub(crate) use contact::{Contact, Finger, Law, Material};
+pub(crate) use forbidden::{Forbidden, ForbiddenStretch};
 pub(crate) use load::{Load, LoadCase, NamedPoint};
 pub(crate) use part::{Part, Planar, Spatial};
 pub(super) use results::without_results;

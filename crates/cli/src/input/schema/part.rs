@@ -2,7 +2,8 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::super::number::{FileName, PerPiece, Point, Whole};
+use super::super::number::{FileName, Finite, PerPiece, Point, Whole};
+use super::Forbidden;
 
 /// A part of the plane or of space.
 #[derive(Clone, Debug, Deserialize, Serialize)]
@@ -31,6 +32,12 @@ pub(crate) struct Planar {
     /// Of a contact on each edge, or on the ellipse [force / length].
     #[serde(skip_serializing_if = "Option::is_none")]
     pub(crate) stiffness: Option<PerPiece>,
+    /// No finger nearer to a corner of the outline [length].
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(crate) margin: Option<Finite>,
+    /// Edges of the outline, and stretches of them, without fingers.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub(crate) forbidden: Vec<Forbidden>,
 }
 
 /// A spatial part: a polyhedron, from the file or from a mesh, or an ellipsoid.

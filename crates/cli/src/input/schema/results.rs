@@ -3,11 +3,16 @@
 use super::super::node::Node;
 
 /// The results of `optimize` at the top of its report: `analyze` reads the rest as a grasp file.
-const RESULT_FIELDS: [&str; 20] = [
+const RESULT_FIELDS: [&str; 24] = [
     "dimension",
     "fingers",
+    "objective",
+    "least_translation",
     "total_preload",
     "finger_radius",
+    "least_distance",
+    "least_share",
+    "effort",
     "quality",
     "sigma_min",
     "mu_eq",
@@ -20,7 +25,6 @@ const RESULT_FIELDS: [&str; 20] = [
     "preload_margin",
     "quality_second_order",
     "quality_second_order_missing",
-    "ties",
     "certificate",
     "combinations",
     "top",

@@ -12,6 +12,11 @@ pub(in super::super) fn help(place: &Place) -> Option<&'static str> {
         ),
         "total_preload" => Some("give `preload` in each contact, or --preload to `optimize`"),
         "fingers" => Some("give --fingers to `optimize`"),
+        "objective" => Some("give --objective to `optimize`"),
+        "least_distance" => Some("give --least-distance to `optimize`"),
+        "least_share" => Some("give --least-share to `optimize`"),
+        "least_translation" => Some("give --least-translation to `optimize`"),
+        "margin" | "forbidden" => Some("put it under [part.planar]"),
         _ => None,
     }
 }
@@ -30,6 +35,8 @@ pub(in super::super) fn expected(place: &Place, name: &str) -> &'static str {
         }
         "poisson" => "a number, at most 1/2",
         "point" | "force" if place.steps().len() > 1 => in_words(&[]),
+        "edge" => "the number of an edge",
+        "from" | "to" => "a length along the edge, from its start",
         "name" => "a name",
         "kind" => "`linear`, `power`, `hertz` or `line`",
         _ => "the name of a unit, such as \"mm\"",

@@ -6,7 +6,7 @@ use clench_screw::Vector;
 /// do not exist.
 ///
 /// The derivative's numerator is quadratic, since the cubic terms cancel.
-pub(super) fn stationary(
+pub(crate) fn stationary(
     (p, u): (Vector<2>, Vector<2>),
     (q, w): (Vector<2>, Vector<2>),
 ) -> [f64; 2] {

@@ -5,19 +5,19 @@ use std::cmp::Ordering;
 use clench_screw::Vector;
 use clench_screw::planar::cross;
 
-/// A face starts as a window of 4 vertices, and each of its at most 8 half-planes adds one.
-const CAPACITY: usize = 12;
+/// A face starts as a window of 4 vertices, and each of its at most 9 half-planes adds one.
+const CAPACITY: usize = 13;
 
 /// A convex polygon, counter-clockwise; empty when nothing is left.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Convex {
+pub(crate) struct Convex {
     vertices: [Vector<2>; CAPACITY],
     count: usize,
 }
 
 impl Convex {
     /// The parallelogram with the given center, spanned by `+-u` and `+-v`, with `u x v > 0`.
-    pub(super) fn parallelogram(center: Vector<2>, u: Vector<2>, v: Vector<2>) -> Self {
+    pub(crate) fn parallelogram(center: Vector<2>, u: Vector<2>, v: Vector<2>) -> Self {
         let mut vertices = [Vector::ZERO; CAPACITY];
         vertices[0] = center - u - v;
         vertices[1] = center + u - v;
@@ -27,7 +27,7 @@ impl Convex {
     }
 
     /// All sums of the center and parts between -1 and 1 of the generators.
-    pub(super) fn zonogon(center: Vector<2>, generators: [Vector<2>; 4]) -> Self {
+    pub(crate) fn zonogon(center: Vector<2>, generators: [Vector<2>; 4]) -> Self {
         // Pointing to the upper half-plane and in order of angle, they are the sides of the right
         // half, from the lowest vertex up.
         let mut sides =
@@ -43,24 +43,24 @@ impl Convex {
     }
 
     /// Its area.
-    pub(super) fn area(&self) -> f64 {
+    pub(crate) fn area(&self) -> f64 {
         let origin = self.vertices().first().copied().unwrap_or(Vector::ZERO);
         0.5 * self.edges().map(|(a, b)| cross(a - origin, b - origin)).sum::<f64>()
     }
 
-    pub(super) fn vertices(&self) -> &[Vector<2>] {
+    pub(crate) fn vertices(&self) -> &[Vector<2>] {
         &self.vertices[..self.count]
     }
 
     /// The edges, from each vertex to the next.
-    pub(super) fn edges(&self) -> impl Iterator<Item = (Vector<2>, Vector<2>)> + '_ {
+    pub(crate) fn edges(&self) -> impl Iterator<Item = (Vector<2>, Vector<2>)> + '_ {
         let next = |i: usize| if i + 1 < self.count { i + 1 } else { 0 };
         (0..self.count).map(move |i| (self.vertices[i], self.vertices[next(i)]))
     }
 
-    /// What of it fulfils `g . d <= bound`.
+    /// What of it fulfills `g . d <= bound`.
     #[must_use]
-    pub(super) fn cut(&self, g: Vector<2>, bound: f64) -> Self {
+    pub(crate) fn cut(&self, g: Vector<2>, bound: f64) -> Self {
         let mut kept = Self { vertices: [Vector::ZERO; CAPACITY], count: 0 };
         for (a, b) in self.edges() {
             let (excess_a, excess_b) = (g.dot(a) - bound, g.dot(b) - bound);
@@ -75,7 +75,7 @@ impl Convex {
     }
 
     /// What of the stretch `[from, to]` of the line `start + t direction` lies inside.
-    pub(super) fn clip(
+    pub(crate) fn clip(
         &self,
         (start, direction): (Vector<2>, Vector<2>),
         (mut from, mut to): (f64, f64),

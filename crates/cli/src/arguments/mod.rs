@@ -1,10 +1,14 @@
 //! The command line.
 
-use std::num::NonZeroUsize;
+mod optimize;
+mod value;
+
 use std::path::PathBuf;
 
-use clap::error::ErrorKind;
 use clap::{Args, CommandFactory, Parser, Subcommand, ValueEnum};
+
+pub(crate) use optimize::{ObjectiveArgument, OptimizeArguments};
+pub(crate) use value::FrameArgument;
 
 const FILE: &str = r#"A part file, in TOML (or the same in JSON):
 
@@ -13,6 +17,8 @@ const FILE: &str = r#"A part file, in TOML (or the same in JSON):
   [part.planar]
   outline = [[0, 0], [13, 0], [9, 8], [2, 6]] # corners, either way round
   stiffness = 1.0                            # of a contact on each edge; or a list, one per edge
+  margin = 0.5                               # no finger nearer to a corner; 0 if left out
+  forbidden = [2, { edge = 1, from = 0, to = 3 }] # edges, and stretches along them
 
 `analyze` knows more parts, one shape each:
 
@@ -58,13 +64,16 @@ joins corner e to corner e + 1. A contact has to be on the boundary up to 1e-6 o
 radius. `-` reads standard input.
 
 Not checked: fingers may overlap each other or the part away from their contacts, and nothing says
-whether there is room for them. With four fingers the radius does not enter the optimum.
+whether there is room for them, except for --least-distance and --margin. With four and more fingers
+the radius enters the optimum by the least distance only.
 
 Exit codes: 0 an answer; 1 bad input, nothing written; 2 wrong usage; 3 no answer, with the reason.
 
 Examples:
   clench optimize bracket.toml --fingers 4 --svg bracket.svg
   clench optimize bracket.toml --fingers 3 --preload 200 --format json > grasp.json
+  clench optimize bracket.toml --fingers 6 --finger-radius 4 --margin 5 --forbid 2 --time 60
+  clench optimize bracket.toml --fingers 4 --objective rotation --least-translation 3e4
   clench analyze grasp.json --frame 20,10,0.5
   clench analyze cube-grasp.toml --frame 50,50,50,0,0,0"#;
 
@@ -103,33 +112,8 @@ pub(crate) struct AnalyzeArguments {
     /// The frame to write everything in: its origin, and its angle in radians, counter-clockwise;
     /// in space X,Y,Z,RX,RY,RZ with a rotation vector, axis times angle; the file's own if left
     /// out.
-    #[arg(long, value_name = "X,Y,ANGLE", value_parser = frame, allow_hyphen_values = true)]
+    #[arg(long, value_name = "X,Y,ANGLE", value_parser = value::frame, allow_hyphen_values = true)]
     pub(crate) frame: Option<FrameArgument>,
-    #[command(flatten)]
-    pub(crate) output: OutputArguments,
-}
-
-/// What to optimize, and how.
-#[derive(Debug, Args)]
-pub(crate) struct OptimizeArguments {
-    /// The part file.
-    pub(crate) part: PathBuf,
-    /// The number of frictionless fingers.
-    #[arg(long, value_enum)]
-    pub(crate) fingers: Fingers,
-    /// The sum of all contact forces. Three fingers need it: they resist rotation by it alone.
-    /// With four, the report adds the quality to second order.
-    #[arg(long, value_name = "F", value_parser = positive)]
-    #[arg(allow_hyphen_values = true)]
-    pub(crate) preload: Option<f64>,
-    /// The radius of the fingers' tips. With four it does not change the optimum, only the quality
-    /// to second order.
-    #[arg(long, value_name = "R", value_parser = not_negative, default_value = "0")]
-    #[arg(allow_hyphen_values = true)]
-    pub(crate) finger_radius: f64,
-    /// Report the best placements on this many combinations of edges: 1 or more.
-    #[arg(long, value_name = "T", value_parser = one_or_more, default_value = "1")]
-    pub(crate) top: NonZeroUsize,
     #[command(flatten)]
     pub(crate) output: OutputArguments,
 }
@@ -152,15 +136,6 @@ pub(crate) enum OrderArgument {
     Second,
 }
 
-/// How many fingers.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub(crate) enum Fingers {
-    #[value(name = "3")]
-    Three,
-    #[value(name = "4")]
-    Four,
-}
-
 /// The form of a report.
 #[derive(Clone, Copy, Debug, ValueEnum)]
 pub(crate) enum Format {
@@ -168,59 +143,15 @@ pub(crate) enum Format {
     Json,
 }
 
-/// A frame as it is written on the command line: of the plane by three numbers, of space by six.
-#[derive(Clone, Debug)]
-pub(crate) struct FrameArgument(pub(crate) Vec<f64>);
-
 impl Arguments {
     /// The command line; wrong usage ends the program, with code 2.
     pub(crate) fn parse_checked() -> Self {
         let arguments = Self::parse();
-        if let Command::Optimize(OptimizeArguments {
-            fingers: Fingers::Three, preload: None, ..
-        }) = &arguments.command
+        if let Command::Optimize(question) = &arguments.command
+            && let Err((kind, message)) = question.checked()
         {
-            let message = "--fingers 3 needs --preload <F>, the sum of all contact forces: three \
-                           frictionless fingers resist rotation by their preload alone";
-            Self::command().error(ErrorKind::MissingRequiredArgument, message).exit();
+            Self::command().error(kind, message).exit();
         }
         arguments
     }
-}
-
-/// Coordinates of a frame up to here leave products of three of them in the range of numbers.
-const LARGEST_FRAME: f64 = 1e90;
-
-fn frame(text: &str) -> Result<FrameArgument, String> {
-    let numbers: Vec<f64> = text.split(',').map(finite).collect::<Result<_, _>>()?;
-    if let Some(number) = numbers.iter().find(|number| number.abs() > LARGEST_FRAME) {
-        return Err(format!("found {number:e}, expected numbers up to {LARGEST_FRAME:e}"));
-    }
-    match numbers.len() {
-        3 | 6 => Ok(FrameArgument(numbers)),
-        count => Err(format!(
-            "found {count} numbers, expected three in the plane: x,y,angle; \
-             or six in space: x,y,z,rx,ry,rz"
-        )),
-    }
-}
-
-fn positive(text: &str) -> Result<f64, String> {
-    let value = finite(text)?;
-    if value > 0.0 { Ok(value) } else { Err(format!("found {value}, expected more than 0")) }
-}
-
-fn not_negative(text: &str) -> Result<f64, String> {
-    let value = finite(text)?;
-    if value >= 0.0 { Ok(value) } else { Err(format!("found {value}, expected 0 or more")) }
-}
-
-fn one_or_more(text: &str) -> Result<NonZeroUsize, String> {
-    let count: Option<usize> = text.trim().parse().ok();
-    count.and_then(NonZeroUsize::new).ok_or_else(|| format!("found {text}, expected 1 or more"))
-}
-
-fn finite(text: &str) -> Result<f64, String> {
-    let number = text.trim().parse().ok().filter(|number: &f64| number.is_finite());
-    number.ok_or_else(|| format!("found `{text}`, expected a finite number"))
 }

@@ -1,11 +1,14 @@
 //! The best placement of four fingers on four given edges, by finite enumeration.
 
+use std::ops::Deref;
+
 use clench_screw::planar::{cross, quarter_turn};
 use clench_screw::{Cholesky, Mat, Vector};
 
 use super::convex::Convex;
 use super::ratio::stationary;
-use super::scene::{Border, Scene, Support};
+use crate::polygon::Fingers;
+use crate::polygon::scene::{Scene, Support};
 
 /// Rows of `Z` are rounded by a few units of 1, whatever their own size, so a product of two of
 /// them is known to this much of the larger one only.
@@ -22,19 +25,10 @@ const WINDOW_MARGIN: f64 = 1.25;
 
 /// A placement: center of compliance `d` about the part's center, and `z` with `mu = |z|^2`.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Peak {
-    pub(super) equivalent: f64,
-    pub(super) d: Vector<2>,
-    pub(super) z: Vector<2>,
-}
-
-/// The fingers of a placement.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Spot {
-    /// The scaled moments `s`, within their limits.
-    pub(super) moments: [f64; 4],
-    /// The shares of the balancing contact forces.
-    pub(super) shares: [f64; 4],
+pub(crate) struct Peak {
+    pub(crate) equivalent: f64,
+    pub(crate) d: Vector<2>,
+    pub(crate) z: Vector<2>,
 }
 
 /// `low <= a . d + z . z_coordinates <= high`.
@@ -46,30 +40,80 @@ struct Row {
     high: f64,
 }
 
-/// Four edges in the coordinates `(d, z)` of [`super`].
+impl Row {
+    /// A row that limits nothing, with a lower limit of 0 and none above.
+    const IDLE: Self = Self { a: Vector::ZERO, z: Vector::ZERO, low: 0.0, high: f64::INFINITY };
+
+    fn finite_limits(&self) -> impl Iterator<Item = f64> {
+        [self.low, self.high].into_iter().filter(|limit| limit.is_finite())
+    }
+}
+
+/// Four limits, two sides of the cone, one distance.
+const MOST_ROWS: usize = 7;
+
+/// The rows of a cone.
+#[derive(Clone, Copy, Debug)]
+struct Rows {
+    rows: [Row; MOST_ROWS],
+    count: usize,
+}
+
+impl Rows {
+    fn push(&mut self, row: Row) {
+        self.rows[self.count] = row;
+        self.count += 1;
+    }
+}
+
+impl Deref for Rows {
+    type Target = [Row];
+
+    fn deref(&self) -> &[Row] {
+        &self.rows[..self.count]
+    }
+}
+
+/// `s_j - s_i`, which is `z . difference`, has to be at least `least` in the cone of `sign` 1, and
+/// at most `-least` in the opposite cone: the signs of the forces tell the order of the fingers.
+#[derive(Clone, Copy, Debug)]
+struct Neighbors {
+    fingers: (usize, usize),
+    difference: Vector<2>,
+    least: f64,
+}
+
+/// Four stretches in the coordinates `(d, z)` of [`super`].
 #[derive(Clone, Debug)]
-pub(super) struct Quadruple<'a> {
+pub(crate) struct Quadruple<'a> {
     scene: &'a Scene<'a>,
     supports: [&'a Support; 4],
     /// Rows of `Z`.
     null: [Vector<2>; 4],
     /// How the center of compliance moves with each scaled moment: `J (N N^T)^-1 N`.
     per_moment: [Vector<2>; 4],
-    /// Normals of the two sides of the cone in which all contact forces push.
+    /// Normals of the two sides of the cone in which all contact forces push, and have their least
+    /// share.
     cone: [Vector<2>; 2],
-    /// Whether two fingers share an edge; their exchange turns one cone into the other.
+    /// Whether two fingers share a stretch; their exchange turns one cone into the other.
     exchangeable: bool,
+    /// Two fingers on one edge that have to keep a distance.
+    neighbors: Option<Neighbors>,
     window_center: Vector<2>,
     window_half: Vector<2>,
 }
 
 impl<'a> Quadruple<'a> {
     /// `None` when no four forces along these normals can all push and balance.
-    pub(super) fn new(scene: &'a Scene<'a>, edges: [usize; 4]) -> Option<Self> {
-        let supports = edges.map(|e| &scene.supports[e]);
+    pub(crate) fn new(
+        scene: &'a Scene<'a>,
+        stretches: [usize; 4],
+        fingers: &Fingers,
+    ) -> Option<Self> {
+        let supports = stretches.map(|e| &scene.supports[e]);
         let scaled = supports.map(|s| s.normal * s.weight);
         let null = null_space(&scaled);
-        let cone = pushing_cone(&null)?;
+        let cone = pushing_cone(&null, supports.map(|s| s.weight), fingers.least_share)?;
         let gram = scaled.iter().fold(Mat::<2, 2>::ZERO, |sum, &n| sum + Mat::outer(n, n));
         let gram = Cholesky::new(&gram).ok()?;
         // d = J (N N^T)^-1 N s is linear in s, so its range is a box about its middle.
@@ -80,7 +124,7 @@ impl<'a> Quadruple<'a> {
             let half = 0.5 * (support.high - support.low) * WINDOW_MARGIN;
             window_half += Vector::from_fn(|i| per_moment[i].abs() * half);
         }
-        let exchangeable = edges.windows(2).any(|pair| pair[0] == pair[1]);
+        let exchangeable = stretches.windows(2).any(|pair| pair[0] == pair[1]);
         Some(Self {
             scene,
             supports,
@@ -88,6 +132,7 @@ impl<'a> Quadruple<'a> {
             per_moment,
             cone,
             exchangeable,
+            neighbors: neighbors(&supports, &null, cone, fingers.least_distance),
             window_center,
             window_half,
         })
@@ -98,7 +143,7 @@ impl<'a> Quadruple<'a> {
     /// `mu = min over c of sum (s_i - a_i . c)^2`, so any `c` bounds it from above, here the
     /// middle of the window. And `rho_max(d)^2 >= r_0^2 + |d|^2`: the center of the smallest
     /// circle lies among the corners on it, so one of these, `v`, has `v . d <= 0`.
-    pub(super) fn bound(&self) -> f64 {
+    pub(crate) fn bound(&self) -> f64 {
         let c = self.window_center;
         let mu: f64 = self
             .supports
@@ -113,13 +158,13 @@ impl<'a> Quadruple<'a> {
     }
 
     /// The placement of largest `mu_eq`, if that exceeds `floor`.
-    pub(super) fn peak(&self, floor: f64) -> Option<Peak> {
+    pub(crate) fn peak(&self, floor: f64) -> Option<Peak> {
         let mut best = Peak { equivalent: floor, d: Vector::ZERO, z: Vector::ZERO };
         let cones: &[f64] = if self.exchangeable { &[1.0] } else { &[1.0, -1.0] };
         for &sign in cones.iter().filter(|&&sign| self.enters_cone(sign)) {
             let rows = self.rows(sign);
-            for p in 0..5 {
-                for q in p + 1..6 {
+            for p in 0..rows.len() - 1 {
+                for q in p + 1..rows.len() {
                     self.climb_faces(&rows, (p, q), &mut best);
                 }
             }
@@ -139,9 +184,12 @@ impl<'a> Quadruple<'a> {
         let half = |i: usize| 0.5 * (self.supports[i].high - self.supports[i].low);
         let generators = std::array::from_fn(|i| self.null[i] * half(i));
         let extent: f64 = generators.iter().map(|g: &Vector<2>| g.norm()).sum();
-        let common = Convex::zonogon(middle, generators)
+        let mut common = Convex::zonogon(middle, generators)
             .cut(self.cone[0] * -sign, 0.0)
             .cut(self.cone[1] * -sign, 0.0);
+        if let Some(Neighbors { difference, least, .. }) = self.neighbors {
+            common = common.cut(difference * -sign, -least);
+        }
         // Short edges far out: the moments are rounded to their own size.
         let size = self.supports.iter().map(|s| largest(&[s.low, s.high])).fold(extent, f64::max);
         common.area() > TOUCHING * extent * size
@@ -165,7 +213,13 @@ impl<'a> Quadruple<'a> {
         // The moments are sums in which a far center cancels, so z is known to this much only.
         let size = self.largest_arm() * placed.d.norm() + placed.z.norm() + largest(&s);
         let slack = -ROW_ROUNDING * size;
-        let pushes = |sign: f64| self.cone.iter().all(|c| sign * c.dot(placed.z) >= slack);
+        let pushes = |sign: f64| {
+            let apart =
+                self.neighbors.is_none_or(|Neighbors { fingers: (i, j), least, .. }| {
+                    sign * (s[j] - s[i]) >= least + slack
+                });
+            apart && self.cone.iter().all(|c| sign * c.dot(placed.z) >= slack)
+        };
         let reach = (placed.d - self.scene.farthest(placed.d)).norm_squared();
         placed.equivalent = placed.z.norm_squared() / reach;
         if placed.equivalent > best.equivalent && (pushes(1.0) || pushes(-1.0)) {
@@ -174,42 +228,36 @@ impl<'a> Quadruple<'a> {
     }
 
     /// The scaled moments at `(d, z)`, within their limits.
-    fn moments(&self, d: Vector<2>, z: Vector<2>) -> [f64; 4] {
+    pub(crate) fn moments(&self, d: Vector<2>, z: Vector<2>) -> [f64; 4] {
         std::array::from_fn(|i| {
             let s = self.supports[i].arm.dot(d) + self.null[i].dot(z);
             s.clamp(self.supports[i].low, self.supports[i].high)
         })
     }
 
-    /// Where the fingers of a placement are, and how they share the preload.
-    pub(super) fn spot(&self, peak: &Peak) -> Spot {
-        let moments = self.moments(peak.d, peak.z);
-        let turned = -quarter_turn(peak.z);
-        let forces: [f64; 4] =
-            std::array::from_fn(|i| self.null[i].dot(turned) * self.supports[i].weight);
-        let total: f64 = forces.iter().sum();
-        Spot { moments, shares: forces.map(|f| (f / total).max(0.0)) }
-    }
-
-    /// The four limits, and the two sides of the cone (`sign` 1) or of its opposite.
-    fn rows(&self, sign: f64) -> [Row; 6] {
-        std::array::from_fn(|i| {
-            if let Some(s) = self.supports.get(i) {
-                Row { a: s.arm, z: self.null[i], low: s.low, high: s.high }
-            } else {
-                let z = self.cone[i - 4] * sign;
-                Row { a: Vector::ZERO, z, low: 0.0, high: f64::INFINITY }
-            }
-        })
+    /// The four limits, the two sides of the cone (`sign` 1) or of its opposite, and the distance
+    /// of neighbors.
+    fn rows(&self, sign: f64) -> Rows {
+        let mut rows = Rows { rows: [Row::IDLE; MOST_ROWS], count: 0 };
+        for (s, z) in self.supports.iter().zip(self.null) {
+            rows.push(Row { a: s.arm, z, low: s.low, high: s.high });
+        }
+        for side in self.cone {
+            rows.push(Row { z: side * sign, ..Row::IDLE });
+        }
+        if let Some(Neighbors { difference, least, .. }) = self.neighbors {
+            rows.push(Row { z: difference * sign, low: least, ..Row::IDLE });
+        }
+        rows
     }
 
     /// Climbs all faces on which rows `p` and `q` are active, at either of their limits.
-    fn climb_faces(&self, rows: &[Row; 6], (p, q): (usize, usize), best: &mut Peak) {
+    fn climb_faces(&self, rows: &[Row], (p, q): (usize, usize), best: &mut Peak) {
         let (first, second) = (&rows[p], &rows[q]);
         let determinant = cross(first.z, second.z);
         let size = first.z.norm_squared().max(second.z.norm_squared()).sqrt();
         // Two sides of the cone meet in z = 0 only; parallel rows have other partners.
-        if p >= 4 || determinant.abs() <= ROW_ROUNDING * size {
+        if (p, q) == (4, 5) || determinant.abs() <= ROW_ROUNDING * size {
             return;
         }
         // z = solve (c - A d)
@@ -219,18 +267,16 @@ impl<'a> Quadruple<'a> {
         ]);
         let arms = Mat::new([first.a.to_array(), second.a.to_array()]);
         let slope = solve * arms * -1.0;
-        for c in [first.low, first.high] {
-            for e in [second.low, second.high] {
-                if e.is_finite() {
-                    let face = Face { base: solve * Vector::new([c, e]), slope };
-                    self.climb(&face, rows, (p, q), best);
-                }
+        for c in first.finite_limits() {
+            for e in second.finite_limits() {
+                let face = Face { base: solve * Vector::new([c, e]), slope };
+                self.climb(&face, rows, (p, q), best);
             }
         }
     }
 
     /// Raises `best` to the largest ratio on one face, if that is larger.
-    fn climb(&self, face: &Face, rows: &[Row; 6], active: (usize, usize), best: &mut Peak) {
+    fn climb(&self, face: &Face, rows: &[Row], active: (usize, usize), best: &mut Peak) {
         let farthest_z = face.at(self.window_center).norm()
             + face.slope.column(0).norm() * self.window_half[0]
             + face.slope.column(1).norm() * self.window_half[1];
@@ -252,8 +298,8 @@ impl<'a> Quadruple<'a> {
         }
     }
 
-    /// Where on the plane of `d` the face fulfils all other rows.
-    fn region(&self, face: &Face, rows: &[Row; 6], active: (usize, usize)) -> Option<Convex> {
+    /// Where on the plane of `d` the face fulfills all other rows.
+    fn region(&self, face: &Face, rows: &[Row], active: (usize, usize)) -> Option<Convex> {
         let [half_x, half_y] = self.window_half.to_array();
         let mut region = Convex::parallelogram(
             self.window_center,
@@ -295,18 +341,11 @@ impl<'a> Quadruple<'a> {
     }
 
     fn climb_borders(&self, face: &Face, region: &Convex, best: &mut Peak) {
-        let farthest = self.scene.farthest(region.vertices()[0]);
-        // The points with one farthest corner are convex: then the face meets no border.
-        if region.vertices().iter().all(|&d| self.scene.farthest(d) == farthest) {
-            return;
-        }
-        for Border { corner, line, stretch } in &self.scene.borders {
-            if let Some((from, to)) = region.clip(*line, *stretch) {
-                let (start, direction) = *line;
-                let clipped = (start + direction * from, direction * (to - from));
-                self.climb_line(face, clipped, (0.0, 1.0), *corner, best);
-            }
-        }
+        self.scene.borders_across(region, |border, (from, to)| {
+            let (start, direction) = border.line;
+            let clipped = (start + direction * from, direction * (to - from));
+            self.climb_line(face, clipped, (0.0, 1.0), border.corner, best);
+        });
     }
 
     /// Raises `best` to the largest ratio on the stretch `[from, to]` of the line
@@ -385,20 +424,47 @@ fn orthogonal_unit(v: Vector<4>, basis: &[Vector<4>]) -> Vector<4> {
     if length > 0.0 { v * length.recip() } else { v }
 }
 
-/// The normals of the two sides of the cone of `z` in which all `Z_i . (J z)` are positive.
-fn pushing_cone(null: &[Vector<2>; 4]) -> Option<[Vector<2>; 2]> {
+/// The normals of the two sides of the cone of `z` in which each force `w_i Z_i . (J z)` is at
+/// least its `least_share` of their sum.
+fn pushing_cone(
+    null: &[Vector<2>; 4],
+    weights: [f64; 4],
+    least_share: f64,
+) -> Option<[Vector<2>; 2]> {
     if null.iter().any(|z| z.norm_squared() <= ROW_ROUNDING * ROW_ROUNDING) {
         return None;
     }
-    // All Z_i lie between the extreme two, which are less than half a turn apart.
+    let sum = (0..4).fold(Vector::ZERO, |sum, i| sum + null[i] * (weights[i] * least_share));
+    let rows: [Vector<2>; 4] = std::array::from_fn(|i| null[i] - sum * weights[i].recip());
+    // All rows lie between the extreme two, which are less than half a turn apart.
     let extreme =
-        |turn: f64| null.iter().copied().find(|&e| null.iter().all(|&z| turn * cross(e, z) >= 0.0));
+        |turn: f64| rows.iter().copied().find(|&e| rows.iter().all(|&z| turn * cross(e, z) >= 0.0));
     let (right, left) = (extreme(1.0)?, extreme(-1.0)?);
     if cross(right, left) <= ROW_ROUNDING * right.norm().max(left.norm()) {
         return None;
     }
     // Z . (J z) = (J^T Z) . z, and J^T is the quarter turn.
     Some([quarter_turn(right), quarter_turn(left)])
+}
+
+/// The two fingers on one edge, at most one pair, if they have to keep a distance.
+fn neighbors(
+    supports: &[&Support; 4],
+    null: &[Vector<2>; 4],
+    cone: [Vector<2>; 2],
+    least_distance: f64,
+) -> Option<Neighbors> {
+    let i = (0..3).find(|&i| supports[i].edge == supports[i + 1].edge)?;
+    let difference = null[i + 1] - null[i];
+    // Inside the cone the difference has one sign.
+    let inside = cone[0] * cone[1].norm() + cone[1] * cone[0].norm();
+    let (fingers, difference) = if difference.dot(inside) >= 0.0 {
+        ((i, i + 1), difference)
+    } else {
+        ((i + 1, i), -difference)
+    };
+    let least = supports[i].weight * least_distance;
+    (least > 0.0).then_some(Neighbors { fingers, difference, least })
 }
 
 /// The largest magnitude.

@@ -1,0 +1,91 @@
+//! Values of options, each with words for what is expected of it.
+
+use std::num::NonZeroUsize;
+use std::time::Duration;
+
+use clench::optimize::polygon::MOST_FINGERS;
+
+use crate::input::schema::{Forbidden, ForbiddenStretch};
+use crate::input::{Finite, Whole};
+
+/// Three fingers hold a part by their preload; two never do.
+const FEWEST_FINGERS: usize = 3;
+
+/// Coordinates of a frame up to here leave products of three of them in the range of numbers.
+const LARGEST_FRAME: f64 = 1e90;
+
+/// A frame as it is written on the command line: of the plane by three numbers, of space by six.
+#[derive(Clone, Debug)]
+pub(crate) struct FrameArgument(pub(crate) Vec<f64>);
+
+pub(super) fn frame(text: &str) -> Result<FrameArgument, String> {
+    let numbers: Vec<f64> = text.split(',').map(finite).collect::<Result<_, _>>()?;
+    if let Some(number) = numbers.iter().find(|number| number.abs() > LARGEST_FRAME) {
+        return Err(format!("found {number:e}, expected numbers up to {LARGEST_FRAME:e}"));
+    }
+    match numbers.len() {
+        3 | 6 => Ok(FrameArgument(numbers)),
+        count => Err(format!(
+            "found {count} numbers, expected three in the plane: x,y,angle; \
+             or six in space: x,y,z,rx,ry,rz"
+        )),
+    }
+}
+
+pub(super) fn fingers(text: &str) -> Result<usize, String> {
+    let count = text.trim().parse().ok();
+    count
+        .filter(|count| (FEWEST_FINGERS..=MOST_FINGERS).contains(count))
+        .ok_or_else(|| format!("found {text}, expected from {FEWEST_FINGERS} to {MOST_FINGERS}"))
+}
+
+pub(super) fn positive(text: &str) -> Result<f64, String> {
+    let value = finite(text)?;
+    if value > 0.0 { Ok(value) } else { Err(format!("found {value}, expected more than 0")) }
+}
+
+pub(super) fn not_negative(text: &str) -> Result<f64, String> {
+    let value = finite(text)?;
+    if value >= 0.0 { Ok(value) } else { Err(format!("found {value}, expected 0 or more")) }
+}
+
+pub(super) fn one_or_more(text: &str) -> Result<NonZeroUsize, String> {
+    let count: Option<usize> = text.trim().parse().ok();
+    count.and_then(NonZeroUsize::new).ok_or_else(|| format!("found {text}, expected 1 or more"))
+}
+
+pub(super) fn nodes(text: &str) -> Result<u64, String> {
+    let count = text.trim().parse().ok().filter(|count| *count > 0);
+    count.ok_or_else(|| format!("found {text}, expected 1 or more"))
+}
+
+pub(super) fn seconds(text: &str) -> Result<Duration, String> {
+    let value = positive(text)?;
+    Duration::try_from_secs_f64(value).map_err(|_| format!("found {value:e}, expected fewer"))
+}
+
+/// `EDGE` or `EDGE:FROM-TO`.
+pub(super) fn forbidden(text: &str) -> Result<Forbidden, String> {
+    let wrong = || format!("found `{text}`, expected an edge, or EDGE:FROM-TO with FROM below TO");
+    let (edge, stretch) = match text.split_once(':') {
+        Some((edge, stretch)) => (edge, Some(stretch)),
+        None => (text, None),
+    };
+    let edge = edge.trim().parse().ok().map(Whole).ok_or_else(wrong)?;
+    let Some(stretch) = stretch else { return Ok(Forbidden::Edge(edge)) };
+    // A dash may also be the sign of a number or of its power of ten.
+    let ends = stretch.match_indices('-').find_map(|(dash, _)| {
+        Some((finite(&stretch[..dash]).ok()?, finite(&stretch[dash + 1..]).ok()?))
+    });
+    match ends {
+        Some((from, to)) if from < to => {
+            Ok(Forbidden::Stretch(ForbiddenStretch { edge, from: Finite(from), to: Finite(to) }))
+        }
+        _ => Err(wrong()),
+    }
+}
+
+fn finite(text: &str) -> Result<f64, String> {
+    let number = text.trim().parse().ok().filter(|number: &f64| number.is_finite());
+    number.ok_or_else(|| format!("found `{text}`, expected a finite number"))
+}

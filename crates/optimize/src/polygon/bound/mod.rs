@@ -1,0 +1,30 @@
+//! Upper bounds over all placements on some pieces of the boundary; [`super`] derives them.
+
+mod closure;
+mod cut;
+mod demand;
+mod middle;
+mod relaxation;
+mod runs;
+
+use clench_screw::Vector;
+
+#[cfg(test)]
+pub(crate) use closure::cuts as closure_cuts;
+pub(crate) use closure::is_excluded;
+#[cfg(test)]
+pub(crate) use cut::{Cut, slack};
+pub(crate) use demand::{Demand, Verdict};
+pub(crate) use middle::Middle;
+pub(crate) use relaxation::Relaxation;
+#[cfg(test)]
+pub(crate) use runs::value;
+pub(crate) use runs::{MOST_STRETCHES, Piece, Range, Runs};
+
+/// Bounds and their tests are rounded by this many units times the sizes that they are made of.
+const ROUNDING: f64 = 64.0 * f64::EPSILON;
+
+/// The first two components of a scaled wrench.
+fn arm(p: Vector<3>) -> Vector<2> {
+    Vector::new([p[0], p[1]])
+}

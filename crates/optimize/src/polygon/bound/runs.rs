@@ -1,0 +1,297 @@
+//! Runs of the boundary: a binary tree over its stretches, with a box of wrenches for each run.
+#![allow(
+    clippy::cast_possible_truncation,
+    reason = "fewer runs than twice the stretches, and those are in memory"
+)]
+
+use clench_screw::{Mat, SymmetricEigen, Vector};
+
+use crate::polygon::rating::Spot;
+use crate::polygon::scene::Support;
+
+/// A box is drawn wider by this many units of rounding of the sizes that it was computed from.
+const BOX_ROUNDING: f64 = 16.0 * f64::EPSILON;
+
+/// Runs of up to this many stretches are looked at one by one instead of by their box.
+const SCAN_LIMIT: usize = 8;
+
+/// Stretches are halved this many times at most.
+const DEEPEST: u32 = PART_BITS - 1;
+
+/// The bits of a piece that tell the part of its stretch; the others tell the run.
+const PART_BITS: u32 = 40;
+
+/// The largest number of stretches whose runs can be told apart.
+pub(crate) const MOST_STRETCHES: usize = 1 << (63 - PART_BITS);
+
+/// A run, or a dyadic part of a single stretch: 1 is the whole, `2 i` and `2 i + 1` are the halves
+/// of part `i`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(crate) struct Piece(u64);
+
+impl Piece {
+    /// The whole boundary.
+    pub(crate) const BOUNDARY: Self = Self::new(0, 1);
+
+    const fn new(run: u32, part: u64) -> Self {
+        Self((run as u64) << PART_BITS | part)
+    }
+
+    const fn run(self) -> usize {
+        (self.0 >> PART_BITS) as usize
+    }
+
+    const fn part(self) -> u64 {
+        self.0 & ((1 << PART_BITS) - 1)
+    }
+
+    /// Where it begins and ends along its stretch, if it is of one, whose length is 1.
+    pub(crate) fn along(self) -> (f64, f64) {
+        let depth = self.part().ilog2();
+        let size = (1_u64 << depth) as f64;
+        let place = (self.part() - (1 << depth)) as f64;
+        (place / size, (place + 1.0) / size)
+    }
+}
+
+/// What fingers on a piece can be: vectors, such as the scaled wrenches `p = (arm, s)` of
+/// [`super`], and the stiffness of the stretches.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Range<const D: usize> {
+    /// The first stretch, and the one after the last.
+    pub(crate) first: u32,
+    pub(crate) end: u32,
+    /// All vectors are `center + sum of t_j axes[j]` with `t_j` in `[-1, 1]`; of one stretch,
+    /// these are all, along the first axis.
+    pub(crate) center: Vector<D>,
+    pub(crate) axes: [Vector<D>; D],
+    /// A disc around the normals' `k (cos 2 phi, sin 2 phi)`.
+    pub(crate) turn: Vector<2>,
+    pub(crate) turn_radius: f64,
+    /// The middle and the half-width of the range of stiffnesses.
+    pub(crate) stiffness: f64,
+    pub(crate) stiffness_spread: f64,
+}
+
+impl<const D: usize> Range<D> {
+    /// Whether it belongs to a single stretch.
+    pub(crate) const fn is_single(&self) -> bool {
+        self.end - self.first == 1
+    }
+
+    /// How much `linear . p` changes from the center to an end of the box.
+    pub(crate) fn spread(&self, linear: Vector<D>) -> f64 {
+        self.axes.iter().map(|axis| axis.dot(linear).abs()).sum()
+    }
+
+    /// An upper bound of `p^T form p + linear . p` over the box; `form` is symmetric.
+    fn largest_in_box(&self, form: &Mat<D, D>, linear: Vector<D>) -> f64 {
+        let images = self.axes.map(|axis| *form * axis);
+        let mut rise = self.spread(*form * self.center * 2.0 + linear);
+        for j in 0..D {
+            rise += self.axes[j].dot(images[j]).max(0.0);
+            for i in 0..j {
+                rise += 2.0 * self.axes[i].dot(images[j]).abs();
+            }
+        }
+        value(form, linear, self.center) + rise
+    }
+}
+
+/// `p^T form p + linear . p`.
+pub(crate) fn value<const D: usize>(form: &Mat<D, D>, linear: Vector<D>, p: Vector<D>) -> f64 {
+    (*form * p + linear).dot(p)
+}
+
+/// A node of the tree.
+#[derive(Clone, Copy, Debug)]
+struct Run<const D: usize> {
+    range: Range<D>,
+    /// The two halves; unused for a single stretch.
+    halves: [u32; 2],
+}
+
+/// All runs; the first is the whole boundary.
+#[derive(Clone, Debug)]
+pub(crate) struct Runs<const D: usize> {
+    runs: Vec<Run<D>>,
+    /// The vectors at the two ends of each stretch.
+    ends: Vec<[Vector<D>; 2]>,
+}
+
+impl<const D: usize> Runs<D> {
+    /// The tree over `supports`, in their order, with their vectors at a scaled moment, which is
+    /// linear; components are compared in these `units`.
+    pub(crate) fn new(
+        supports: &[Support],
+        units: Vector<D>,
+        vector: impl Fn(&Support, f64) -> Vector<D>,
+    ) -> Self {
+        let ends = supports.iter().map(|s| [vector(s, s.low), vector(s, s.high)]).collect();
+        let mut tree = Self { runs: Vec::with_capacity(2 * supports.len()), ends };
+        tree.grow(supports, 0, supports.len(), units);
+        tree
+    }
+
+    fn grow(&mut self, supports: &[Support], first: usize, end: usize, units: Vector<D>) -> u32 {
+        let place = self.runs.len();
+        let range = self.enclose(supports, (first, end), units);
+        self.runs.push(Run { range, halves: [0; 2] });
+        if end - first > 1 {
+            let middle = usize::midpoint(first, end);
+            let left = self.grow(supports, first, middle, units);
+            let right = self.grow(supports, middle, end, units);
+            self.runs[place].halves = [left, right];
+        }
+        place as u32
+    }
+
+    /// What fingers on `piece` can be.
+    pub(crate) fn range(&self, piece: Piece) -> Range<D> {
+        let mut range = self.runs[piece.run()].range;
+        if piece.part() > 1 {
+            let (from, to) = piece.along();
+            let axis = range.axes[0];
+            range.center += axis * (from + to - 1.0);
+            range.axes[0] = axis * (to - from);
+        }
+        range
+    }
+
+    /// The two halves of a piece; `None` where there is nothing left to halve.
+    pub(crate) fn halves(&self, piece: Piece) -> Option<[Piece; 2]> {
+        let run = &self.runs[piece.run()];
+        if !run.range.is_single() {
+            return Some(run.halves.map(|half| Piece::new(half, 1)));
+        }
+        let (part, run) = (piece.part(), piece.0 - piece.part());
+        (part.ilog2() < DEEPEST).then(|| [2 * part, 2 * part + 1].map(|half| Piece(run + half)))
+    }
+
+    /// The stretches of a piece.
+    pub(crate) fn stretches(&self, piece: Piece) -> std::ops::Range<usize> {
+        let range = &self.runs[piece.run()].range;
+        range.first as usize..range.end as usize
+    }
+
+    /// The stretches, ascending, of pieces that are of one each.
+    pub(crate) fn combination<const K: usize>(&self, node: &[Piece; K]) -> Option<[usize; K]> {
+        let mut first = [0; K];
+        for (first, &piece) in first.iter_mut().zip(node) {
+            let stretches = self.stretches(piece);
+            if stretches.len() > 1 {
+                return None;
+            }
+            *first = stretches.start;
+        }
+        first.sort_unstable();
+        Some(first)
+    }
+
+    /// A place near the middle of a piece.
+    pub(crate) fn middle(&self, piece: Piece) -> Spot {
+        let stretches = self.stretches(piece);
+        let (from, to) = piece.along();
+        Spot {
+            stretch: usize::midpoint(stretches.start, stretches.end - 1),
+            along: 0.5 * (from + to),
+        }
+    }
+
+    /// An upper bound of `p^T form p + linear . p` over a range; attained when it is of few
+    /// stretches.
+    ///
+    /// `form` is symmetric and not concave along stretches, so that it is largest at their ends.
+    pub(crate) fn largest(&self, of: &Range<D>, form: &Mat<D, D>, linear: Vector<D>) -> f64 {
+        if of.is_single() {
+            let (center, axis) = (of.center, of.axes[0]);
+            return value(form, linear, center - axis).max(value(form, linear, center + axis));
+        }
+        let (first, end) = (of.first as usize, of.end as usize);
+        if end - first > SCAN_LIMIT {
+            return of.largest_in_box(form, linear);
+        }
+        let ends = self.ends[first..end].as_flattened();
+        ends.iter().map(|&p| value(form, linear, p)).fold(f64::NEG_INFINITY, f64::max)
+    }
+
+    /// An upper bound of `linear . p` over a range, attained as in [`Self::largest`].
+    pub(crate) fn largest_linear(&self, of: &Range<D>, linear: Vector<D>) -> f64 {
+        let (first, end) = (of.first as usize, of.end as usize);
+        if of.is_single() || end - first > SCAN_LIMIT {
+            return of.center.dot(linear) + of.spread(linear);
+        }
+        let ends = self.ends[first..end].as_flattened();
+        ends.iter().map(|p| p.dot(linear)).fold(f64::NEG_INFINITY, f64::max)
+    }
+
+    /// The boxes and discs around the stretches from `first` to before `end`.
+    fn enclose(
+        &self,
+        supports: &[Support],
+        (first, end): (usize, usize),
+        units: Vector<D>,
+    ) -> Range<D> {
+        let ends = self.ends[first..end].as_flattened();
+        let supports = &supports[first..end];
+        let turns = supports.iter().map(|s| s.double_angle);
+        let mean = (supports.len() as f64).recip();
+        let turn = turns.clone().fold(Vector::ZERO, |sum, t| sum + t) * mean;
+        let turn_radius = turns.map(|t| (t - turn).norm()).fold(0.0, f64::max);
+        let (softest, stiffest) = supports
+            .iter()
+            .fold((f64::INFINITY, 0.0_f64), |(a, b), s| (a.min(s.stiffness), b.max(s.stiffness)));
+        let (center, axes) = match ends {
+            [low, high] => {
+                let mut axes = [Vector::ZERO; D];
+                axes[0] = (*high - *low) * 0.5;
+                ((*low + *high) * 0.5, axes)
+            }
+            _ => principal_box(ends, units),
+        };
+        Range {
+            first: first as u32,
+            end: end as u32,
+            center,
+            axes,
+            turn,
+            turn_radius: if turn_radius > 0.0 {
+                turn_radius + BOX_ROUNDING * stiffest
+            } else {
+                0.0
+            },
+            stiffness: 0.5 * (softest + stiffest),
+            stiffness_spread: 0.5 * (stiffest - softest),
+        }
+    }
+}
+
+/// The box around `points` along their principal axes, each component in its unit.
+fn principal_box<const D: usize>(
+    points: &[Vector<D>],
+    units: Vector<D>,
+) -> (Vector<D>, [Vector<D>; D]) {
+    let unscaled = |p: Vector<D>| Vector::from_fn(|i| p[i] * units[i]);
+    let points = points.iter().map(|p| Vector::<D>::from_fn(|i| p[i] / units[i]));
+    let count = points.len() as f64;
+    let mean = points.clone().fold(Vector::ZERO, |sum, p| sum + p) * count.recip();
+    let covariance =
+        points.clone().fold(Mat::<D, D>::ZERO, |sum, p| sum + Mat::outer(p - mean, p - mean));
+    // Boxes along any axes are valid; along the principal ones they are thin.
+    let axes = SymmetricEigen::new(&covariance).map_or_else(
+        |_| std::array::from_fn(|j| Vector::from_fn(|i| if i == j { 1.0 } else { 0.0 })),
+        |eigen| eigen.vectors,
+    );
+    let (mut low, mut high, mut size) = ([f64::INFINITY; D], [f64::NEG_INFINITY; D], 0.0_f64);
+    for p in points {
+        size = size.max(p.max_abs());
+        for j in 0..D {
+            let along = axes[j].dot(p - mean);
+            low[j] = low[j].min(along);
+            high[j] = high[j].max(along);
+        }
+    }
+    let center = (0..D).fold(mean, |sum, j| sum + axes[j] * (0.5 * (low[j] + high[j])));
+    let half = |j: usize| 0.5 * (high[j] - low[j]) + BOX_ROUNDING * size;
+    (unscaled(center), std::array::from_fn(|j| unscaled(axes[j] * half(j))))
+}

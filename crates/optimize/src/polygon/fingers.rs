@@ -1,0 +1,163 @@
+//! Four and more spring fingers: the question, and its best answers.
+
+use std::ops::ControlFlow;
+
+use super::Part;
+use super::scene::Scene;
+use super::search::{Floor, Leaders, Matter, choose, outcome, search};
+use super::springs::{SpringSearch, Springs};
+use crate::{Effort, OptimizeError, Outcome, Progress, Solution};
+
+/// The least number of spring fingers that can be placed: fewer do not hold a part to first order.
+pub const FEWEST_FINGERS: usize = 4;
+
+/// The largest number of spring fingers that can be placed.
+pub const MOST_FINGERS: usize = 8;
+
+/// What is maximized.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Objective {
+    /// The quality `Q = min(sigma_min, mu_eq)` [LBR, eq. 14].
+    Quality,
+    /// The worst-point stiffness `Q_pt`: the least ratio of a force to the deflection of the point
+    /// that it acts on, over all points of the part. At most the quality, at least half of it.
+    WorstPoint,
+    /// The equivalent rotational stiffness `mu_eq`, among the placements whose least translational
+    /// stiffness `sigma_min` is at least this (force / length).
+    Rotation {
+        /// The condition.
+        least_translation: f64,
+    },
+}
+
+/// Frictionless fingers, each a spring along its normal.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Fingers {
+    /// How many, from [`FEWEST_FINGERS`] to [`MOST_FINGERS`].
+    pub count: usize,
+    /// What is maximized.
+    pub objective: Objective,
+    /// The least distance of two fingers on one edge (length), such as twice their radius.
+    pub least_distance: f64,
+    /// The least share of the total preload that each finger has when the forces balance; below
+    /// one part in `count`. 0 takes in the limits where some fingers barely press.
+    pub least_share: f64,
+}
+
+impl Fingers {
+    /// `count` fingers of best quality, without conditions.
+    #[must_use]
+    pub const fn new(count: usize) -> Self {
+        Self { count, objective: Objective::Quality, least_distance: 0.0, least_share: 0.0 }
+    }
+
+    fn has_conditions(&self) -> bool {
+        let least_translation = match self.objective {
+            Objective::Rotation { least_translation } => least_translation,
+            Objective::Quality | Objective::WorstPoint => 0.0,
+        };
+        self.least_distance > 0.0 || self.least_share > 0.0 || least_translation > 0.0
+    }
+
+    fn checked(&self) -> Result<(), OptimizeError> {
+        let Self { count, objective, least_distance, least_share } = *self;
+        if !(FEWEST_FINGERS..=MOST_FINGERS).contains(&count) {
+            return Err(OptimizeError::FingerCount {
+                found: count,
+                fewest: FEWEST_FINGERS,
+                most: MOST_FINGERS,
+            });
+        }
+        if !(least_distance >= 0.0 && least_distance.is_finite()) {
+            return Err(OptimizeError::LeastDistance { value: least_distance });
+        }
+        let limit = (count as f64).recip();
+        if !(0.0..limit).contains(&least_share) {
+            return Err(OptimizeError::LeastShare { value: least_share, limit });
+        }
+        if let Objective::Rotation { least_translation } = objective
+            && !(least_translation >= 0.0 && least_translation.is_finite())
+        {
+            return Err(OptimizeError::LeastTranslation { value: least_translation });
+        }
+        Ok(())
+    }
+}
+
+/// The best placements of frictionless spring fingers on the edges of `part`.
+///
+/// Maximizes the objective to first order [LBR, eqs. 14 and 18], over all combinations of edges,
+/// several fingers on one edge included, and all places on them, corners included as limits. How
+/// it is found and proved is told in [`polygon`](crate::polygon). With four fingers the best
+/// placement on a combination is found in closed form, except for the worst-point stiffness; with
+/// more, and for that, the search closes in on it, and is better given a gap: the returned
+/// placement is then as good as any, up to that.
+///
+/// Nodes are shared among the threads of the current rayon pool; the outcome is the same for any
+/// number of them, unless a time is set. `watch` is called once a round, some milliseconds, and can
+/// stop the search: what it returns then is the best so far, with a bound that holds.
+///
+/// # Errors
+///
+/// [`OptimizeError::FingerCount`], [`OptimizeError::LeastDistance`], [`OptimizeError::LeastShare`],
+/// [`OptimizeError::LeastTranslation`], [`OptimizeError::Gap`];
+/// [`OptimizeError::NormalsNeverBalance`], [`OptimizeError::TorquesNeverBalance`] or
+/// [`OptimizeError::ConditionsNeverMet`] when so many frictionless fingers cannot hold the part so;
+/// [`OptimizeError::NothingFound`] when the search was stopped before;
+/// [`OptimizeError::NowhereToTouch`], [`OptimizeError::TooManyStretches`];
+/// [`OptimizeError::OutOfRange`] when the numbers of the best placement overflow.
+pub fn fingers(
+    part: &Part,
+    fingers: &Fingers,
+    effort: &Effort,
+    watch: impl FnMut(&Progress) -> ControlFlow<()>,
+) -> Result<Outcome, OptimizeError> {
+    fingers.checked()?;
+    effort.checked()?;
+    match fingers.count {
+        4 => best::<4>(part, fingers, effort, watch),
+        5 => best::<5>(part, fingers, effort, watch),
+        6 => best::<6>(part, fingers, effort, watch),
+        7 => best::<7>(part, fingers, effort, watch),
+        _ => best::<8>(part, fingers, effort, watch),
+    }
+}
+
+fn best<const K: usize>(
+    part: &Part,
+    fingers: &Fingers,
+    effort: &Effort,
+    watch: impl FnMut(&Progress) -> ControlFlow<()>,
+) -> Result<Outcome, OptimizeError> {
+    let scene = Scene::checked(part)?;
+    let springs = Springs { scene: &scene, fingers };
+    let mut leaders = Leaders::new(effort.top.get());
+    leaders.merge(springs.first::<K>());
+    let searched = search(&SpringSearch::new(springs), leaders, effort, watch);
+    let combinations = choose(scene.supports.len(), K, true);
+    let matter = Matter { fingers: K, combinations, conditions: fingers.has_conditions() };
+    outcome(&scene, matter, &searched, |candidate| springs.solution(candidate))
+}
+
+/// The best placement of four fingers on the given edges, in any order; two may be equal.
+///
+/// `None` when four fingers on these edges cannot hold the part, or not as asked for.
+///
+/// # Errors
+///
+/// [`OptimizeError::NoSuchEdge`], and those of [`fingers`].
+pub fn four_fingers_on(
+    part: &Part,
+    edges: [usize; 4],
+    fingers: &Fingers,
+) -> Result<Option<Solution>, OptimizeError> {
+    fingers.checked()?;
+    let edges = part.checked(edges)?;
+    let scene = Scene::checked(part)?;
+    let springs = Springs { scene: &scene, fingers };
+    let mut best = Leaders::new(1);
+    for stretches in scene.stretches_of(edges) {
+        best.merge(springs.solve(stretches, &Floor::NONE));
+    }
+    best.candidates().first().map(|candidate| springs.solution(candidate)).transpose()
+}

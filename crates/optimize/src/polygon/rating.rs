@@ -1,0 +1,142 @@
+//! What a placement of spring fingers is worth.
+
+use clench_screw::spatial::cross;
+use clench_screw::{Mat, Vector};
+
+use super::scene::{Scene, largest_value};
+use super::{Fingers, Objective};
+
+/// A center of compliance is told from a free translation where `sigma_min` is more than this many
+/// units of rounding of the stiffnesses.
+const FREE: f64 = 1e6 * f64::EPSILON;
+
+/// Distances may fall short by this many units of rounding of the moments.
+const DISTANCE_ROUNDING: f64 = 64.0 * f64::EPSILON;
+
+/// A finger pushes if its share of the preload is at least this: more than the rounding of shares
+/// of wrenches that span their space, as told by [`DETERMINANT`].
+const PUSHING: f64 = 1e-9;
+
+/// Wrenches span their space where determinants of three are more than this times their sizes.
+const DETERMINANT: f64 = 1e6 * f64::EPSILON;
+
+/// A place on a stretch: 0 at the end of least moment, 1 at the other.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Spot {
+    pub(super) stretch: usize,
+    pub(super) along: f64,
+}
+
+/// What a placement is worth, in the scene's unit of stiffness.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Rating {
+    pub(super) sigma_min: f64,
+    pub(super) equivalent: f64,
+    /// `Q_pt`; only where it is the objective.
+    pub(super) worst_point: f64,
+}
+
+/// The scaled moments at these spots.
+pub(super) fn moments<const K: usize>(scene: &Scene, spots: &[Spot; K]) -> [f64; K] {
+    spots.map(|spot| {
+        let support = &scene.supports[spot.stretch];
+        // The ends exactly.
+        support.low * (1.0 - spot.along) + support.high * spot.along
+    })
+}
+
+/// The rating of fingers on `stretches` with these scaled moments; `None` where they do not
+/// balance with all shares above the least one, or are too near to each other.
+pub(super) fn rate<const K: usize>(
+    scene: &Scene,
+    fingers: &Fingers,
+    stretches: &[usize; K],
+    moments: &[f64; K],
+) -> Option<Rating> {
+    let supports = stretches.map(|s| &scene.supports[s]);
+    let (mut xx, mut xy, mut yy, mut first) = (0.0, 0.0, 0.0, Vector::<2>::ZERO);
+    for (support, &moment) in supports.iter().zip(moments) {
+        let [x, y] = support.arm.to_array();
+        xx += x * x;
+        xy += x * y;
+        yy += y * y;
+        first += support.arm * moment;
+    }
+    let (determinant, sum) = (xx * yy - xy * xy, xx + yy);
+    let root = ((xx - yy) * (xx - yy) + 4.0 * xy * xy).sqrt();
+    let sigma_min = 2.0 * determinant / (sum + root);
+    if sigma_min <= FREE * sum {
+        return None;
+    }
+    let per_determinant = determinant.recip();
+    let d = Vector::new([yy * first[0] - xy * first[1], xx * first[1] - xy * first[0]])
+        * per_determinant;
+    let about: [f64; K] = std::array::from_fn(|i| moments[i] - supports[i].arm.dot(d));
+    let wrenches: [Vector<3>; K] = std::array::from_fn(|i| {
+        let [x, y] = supports[i].arm.to_array();
+        Vector::new([x, y, about[i] / scene.radius]) * supports[i].weight.recip()
+    });
+    let (least, _) = shares(&wrenches)?;
+    if least < fingers.least_share.max(PUSHING) {
+        return None;
+    }
+    for i in 0..K {
+        for j in 0..i {
+            if supports[i].edge == supports[j].edge {
+                let least = fingers.least_distance * supports[i].weight;
+                let size = moments[i].abs().max(moments[j].abs());
+                if (moments[i] - moments[j]).abs() < least - DISTANCE_ROUNDING * size {
+                    return None;
+                }
+            }
+        }
+    }
+    let mu: f64 = about.iter().map(|m| m * m).sum();
+    let equivalent = mu / (d - scene.farthest(d)).norm_squared();
+    let worst_point = if fingers.objective == Objective::WorstPoint {
+        let compliance = Mat::new([[yy, -xy], [-xy, xx]]) * per_determinant;
+        let lever = scene.worst_corner(&compliance, d, mu) - d;
+        largest_value(&(compliance + Mat::outer(lever, lever) * mu.recip())).recip()
+    } else {
+        0.0
+    };
+    Some(Rating { sigma_min, equivalent, worst_point })
+}
+
+/// The shares of the preload with which these wrenches balance, with sum 1, and with the largest
+/// least share where there is a choice; `None` where the wrenches do not span their space, up to
+/// rounding.
+///
+/// That is a linear program, and at a corner of what it allows all but three fingers have the least
+/// share: so all triplets are tried, with the least share from the determinants of the three and
+/// of the sum of all wrenches.
+pub(super) fn shares<const K: usize>(wrenches: &[Vector<3>; K]) -> Option<(f64, [f64; K])> {
+    let all = wrenches.iter().fold(Vector::ZERO, |sum, &w| sum + w);
+    let sizes = wrenches.map(Vector::norm);
+    let size: f64 = sizes.iter().sum();
+    let mut best: Option<(f64, [f64; K])> = None;
+    for k in 0..K {
+        for j in 0..k {
+            for i in 0..j {
+                let [p, q, r] = [wrenches[i], wrenches[j], wrenches[k]];
+                let [a, b, c] = [sizes[i], sizes[j], sizes[k]];
+                let least = -p.dot(cross(q, r));
+                let mut shares = [least; K];
+                shares[i] += q.dot(cross(r, all));
+                shares[j] -= p.dot(cross(r, all));
+                shares[k] += p.dot(cross(q, all));
+                let total: f64 = shares.iter().sum();
+                let rounding = DETERMINANT * (size * (a * b + b * c + c * a) + a * b * c);
+                if total.abs() <= rounding {
+                    continue;
+                }
+                let shares = shares.map(|share| share / total);
+                let least = shares.iter().copied().fold(f64::INFINITY, f64::min);
+                if best.is_none_or(|(most, _)| least > most) {
+                    best = Some((least, shares));
+                }
+            }
+        }
+    }
+    best
+}

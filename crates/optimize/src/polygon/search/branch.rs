@@ -1,0 +1,309 @@
+//! Branch and bound over pieces of the boundary, for any number of fingers.
+
+use std::cmp::Ordering;
+use std::collections::BinaryHeap;
+use std::ops::ControlFlow;
+use std::time::Instant;
+
+use rayon::prelude::*;
+
+use super::leaders::{Candidate, Floor, Leaders, above, below};
+use crate::polygon::bound::Piece;
+use crate::{Effort, Ended, Progress};
+
+/// A round takes this part of the open nodes, within these limits: few in a small search, where
+/// the next round knows better, and enough to share among threads in a large one.
+const ROUND_PART: usize = 4;
+const SMALLEST_ROUND: usize = 32;
+const LARGEST_ROUND: usize = 2048;
+
+/// A thread takes at least this many nodes at a time: some microseconds of work.
+const SMALLEST_SHARE: usize = 16;
+
+/// With more open nodes than this, about 50 megabytes for four fingers, nodes are opened in
+/// the order last in, first out, which bounds their number by rounds times depth.
+const MOST_OPEN: usize = 1 << 20;
+
+/// What is searched for.
+pub(crate) trait Problem<const K: usize>: Sync {
+    /// Where the fingers of a candidate are.
+    type Place: Copy + Send + Sync;
+
+    /// The two halves of a piece; `None` where there is nothing left to halve.
+    fn halves(&self, piece: Piece) -> Option<[Piece; 2]>;
+
+    /// What qualities are multiplied by to be stiffnesses (force / length).
+    fn unit(&self) -> f64;
+
+    /// The combination that a node is on, ascending, if its pieces are on one stretch each.
+    fn combination(&self, node: &[Piece; K]) -> Option<[usize; K]>;
+
+    /// What no placement on `node` that exceeds `floor` surpasses, and the finger whose piece to
+    /// halve; `None` when no placement exceeds it.
+    fn bound(&self, node: &[Piece; K], floor: &Floor) -> Option<(f64, usize)>;
+
+    /// A good placement near the middle of `node`, if one is found.
+    fn probe(&self, node: &[Piece; K]) -> Option<Candidate<K, Self::Place>>;
+
+    /// Looks for a placement on `node`; what is found need not be on it.
+    fn settle(&self, node: &[Piece; K], floor: &Floor) -> Settled<K, Self::Place>;
+}
+
+/// What became of a node.
+pub(crate) enum Settled<const K: usize, P> {
+    /// Its best placement that exceeds the floor, if there is one.
+    Solved(Option<Candidate<K, P>>),
+    /// It has to be halved further; some placement that exceeds the floor, if one was seen.
+    Open(Option<Candidate<K, P>>),
+}
+
+/// Pieces that the fingers are on, ascending.
+#[derive(Clone, Copy, Debug)]
+struct Node<const K: usize> {
+    bound: f64,
+    split: usize,
+    pieces: [Piece; K],
+}
+
+/// By bound, then by pieces: never by arrival.
+impl<const K: usize> Ord for Node<K> {
+    fn cmp(&self, other: &Self) -> Ordering {
+        self.bound.total_cmp(&other.bound).then_with(|| other.pieces.cmp(&self.pieces))
+    }
+}
+
+impl<const K: usize> PartialOrd for Node<K> {
+    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
+        Some(self.cmp(other))
+    }
+}
+
+impl<const K: usize> PartialEq for Node<K> {
+    fn eq(&self, other: &Self) -> bool {
+        self.cmp(other) == Ordering::Equal
+    }
+}
+
+impl<const K: usize> Eq for Node<K> {}
+
+/// How a search ended.
+#[derive(Clone, Debug)]
+pub(crate) struct Searched<const K: usize, P> {
+    pub(crate) leaders: Leaders<K, P>,
+    pub(crate) ended: Ended,
+    /// No placement has a larger quality.
+    pub(crate) upper_bound: f64,
+    pub(crate) nodes: u64,
+    pub(crate) solved: u64,
+}
+
+/// What a thread found in its share of a round.
+struct Share<const K: usize, P> {
+    open: Vec<Node<K>>,
+    candidates: Vec<Candidate<K, P>>,
+    /// The largest bound of what was left out though it may exceed the floor.
+    dropped: f64,
+    nodes: u64,
+    solved: u64,
+}
+
+impl<const K: usize, P> Share<K, P> {
+    const fn new() -> Self {
+        Self { open: Vec::new(), candidates: Vec::new(), dropped: 0.0, nodes: 0, solved: 0 }
+    }
+
+    fn join(mut self, other: Self) -> Self {
+        self.open.extend(other.open);
+        self.candidates.extend(other.candidates);
+        Self {
+            dropped: self.dropped.max(other.dropped),
+            nodes: self.nodes + other.nodes,
+            solved: self.solved + other.solved,
+            ..self
+        }
+    }
+}
+
+/// Searches from `leaders` on.
+///
+/// The nodes of a round are bounded against the floor of the rounds before, so nothing that is
+/// found depends on the threads.
+pub(crate) fn search<const K: usize, P: Problem<K>>(
+    problem: &P,
+    mut leaders: Leaders<K, P::Place>,
+    effort: &Effort,
+    mut watch: impl FnMut(&Progress) -> ControlFlow<()>,
+) -> Searched<K, P::Place> {
+    let unit = problem.unit();
+    let started = Instant::now();
+    let mut open = Open::new();
+    let (mut nodes, mut solved, mut dropped) = (0, 0, 0.0_f64);
+    let ended = loop {
+        let round = Round { problem, leaders: &leaders, floor: leaders.floor(), gap: effort.gap };
+        let mut found = Share::new();
+        let mut probed = None;
+        if nodes == 0 {
+            round.visit([Piece::BOUNDARY; K], f64::INFINITY, &mut found);
+        } else {
+            let chosen = open.round();
+            let first = chosen.first().map(|node| node.pieces);
+            (found, probed) = rayon::join(
+                || round.open_all(&chosen),
+                || first.and_then(|first| problem.probe(&first)),
+            );
+        }
+        nodes += found.nodes;
+        solved += found.solved;
+        dropped = dropped.max(found.dropped);
+        leaders.merge(found.candidates.into_iter().chain(probed));
+        open.extend(found.open);
+        let best = leaders.best();
+        let upper_bound = open.largest().max(dropped).max(best.unwrap_or(0.0));
+        if open.is_empty() {
+            // What was left out is no better than the last of those that were asked for.
+            let proved = dropped <= above(leaders.floor().quality);
+            break if proved { Ended::Proved } else { Ended::Gap };
+        }
+        let seconds = started.elapsed();
+        let flow = watch(&Progress {
+            best: best.map(|best| best * unit),
+            upper_bound: upper_bound * unit,
+            nodes,
+            open: open.len(),
+            elapsed: seconds,
+        });
+        if flow.is_break() {
+            break Ended::Cancelled;
+        }
+        if effort.time.is_some_and(|time| seconds >= time) {
+            break Ended::Time;
+        }
+        if effort.nodes.is_some_and(|most| nodes >= most) {
+            break Ended::Nodes;
+        }
+    };
+    let upper_bound = open.largest().max(dropped).max(leaders.best().unwrap_or(0.0));
+    Searched { leaders, ended, upper_bound, nodes, solved }
+}
+
+/// What the nodes of a round are held against.
+struct Round<'a, const K: usize, P: Problem<K>> {
+    problem: &'a P,
+    leaders: &'a Leaders<K, P::Place>,
+    floor: Floor,
+    gap: f64,
+}
+
+impl<const K: usize, P: Problem<K>> Round<'_, K, P> {
+    /// Divides nodes.
+    fn open_all(&self, nodes: &[Node<K>]) -> Share<K, P::Place> {
+        let shares =
+            nodes.par_iter().with_min_len(SMALLEST_SHARE).fold(Share::new, |mut share, node| {
+                if node.bound > self.threshold(&self.floor) {
+                    self.halve(node, &mut share);
+                } else {
+                    share.dropped = share.dropped.max(node.bound);
+                }
+                share
+            });
+        shares.reduce(Share::new, Share::join)
+    }
+
+    /// Bounds the nodes that halving a piece of `node` makes.
+    fn halve(&self, node: &Node<K>, share: &mut Share<K, P::Place>) {
+        let piece = node.pieces[node.split];
+        let Some([left, right]) = self.problem.halves(piece) else {
+            share.dropped = share.dropped.max(node.bound);
+            return;
+        };
+        // Fingers are exchangeable: of those on this piece, the first ones go to the left half.
+        let count = node.pieces.iter().filter(|&&p| p == piece).count();
+        for lefts in 0..=count {
+            let mut pieces = node.pieces;
+            for (place, p) in pieces.iter_mut().filter(|p| **p == piece).enumerate() {
+                *p = if place < lefts { left } else { right };
+            }
+            pieces.sort_unstable();
+            self.visit(pieces, node.bound, share);
+        }
+    }
+
+    /// Bounds a node, by no more than `limit`, and looks for a placement on it.
+    fn visit(&self, pieces: [Piece; K], limit: f64, share: &mut Share<K, P::Place>) {
+        share.nodes += 1;
+        let floor = self.floor_of(&pieces);
+        let Some((bound, split)) = self.problem.bound(&pieces, &floor) else { return };
+        let bound = bound.min(limit);
+        if bound <= self.threshold(&floor) {
+            share.dropped = share.dropped.max(bound);
+            return;
+        }
+        match self.problem.settle(&pieces, &floor) {
+            Settled::Solved(candidate) => {
+                share.solved += 1;
+                share.candidates.extend(candidate);
+            }
+            Settled::Open(candidate) => {
+                share.candidates.extend(candidate);
+                share.open.push(Node { bound, split, pieces });
+            }
+        }
+    }
+
+    /// What a placement on a node has to exceed: the last of the leaders, or the one on the same
+    /// combination.
+    fn floor_of(&self, pieces: &[Piece; K]) -> Floor {
+        let combination = self.problem.combination(pieces);
+        combination.and_then(|stretches| self.leaders.on(stretches)).unwrap_or(self.floor)
+    }
+
+    /// What a bound has to exceed for its node to be opened.
+    fn threshold(&self, floor: &Floor) -> f64 {
+        below(floor.quality) * (1.0 + self.gap)
+    }
+}
+
+/// The open nodes.
+struct Open<const K: usize> {
+    heap: BinaryHeap<Node<K>>,
+    /// Those that the heap has no room for, opened first.
+    stack: Vec<Node<K>>,
+}
+
+impl<const K: usize> Open<K> {
+    const fn new() -> Self {
+        Self { heap: BinaryHeap::new(), stack: Vec::new() }
+    }
+
+    fn len(&self) -> usize {
+        self.heap.len() + self.stack.len()
+    }
+
+    fn is_empty(&self) -> bool {
+        self.len() == 0
+    }
+
+    fn largest(&self) -> f64 {
+        let stack = self.stack.iter().map(|n| n.bound).max_by(f64::total_cmp);
+        self.heap.peek().map_or(0.0, |n| n.bound).max(stack.unwrap_or(0.0))
+    }
+
+    fn extend(&mut self, mut nodes: Vec<Node<K>>) {
+        if self.heap.len() + nodes.len() <= MOST_OPEN {
+            self.heap.extend(nodes);
+        } else {
+            nodes.sort_unstable();
+            self.stack.extend(nodes);
+        }
+    }
+
+    /// The nodes to open next.
+    fn round(&mut self) -> Vec<Node<K>> {
+        let count = (self.len() / ROUND_PART).clamp(SMALLEST_ROUND, LARGEST_ROUND);
+        if self.stack.is_empty() {
+            return (0..count).map_while(|_| self.heap.pop()).collect();
+        }
+        let rest = self.stack.len().saturating_sub(count);
+        self.stack.split_off(rest)
+    }
+}

@@ -1,0 +1,222 @@
+//! Fingers that are springs, four or more: what is searched, bounded and solved.
+
+use clench_screw::Vector;
+
+use super::bound::{Demand, Piece, Relaxation, Runs};
+use super::closed_form::Quadruple;
+use super::rating::{Rating, Spot, moments, rate, shares};
+use super::scene::Scene;
+use super::search::{Candidate, Floor, Problem, Settled, above, ascents, below, climb};
+use super::{Fingers, Objective};
+use crate::{OptimizeError, Placement, Solution};
+
+/// Spring fingers on a part: what placements are worth, and which is best on four stretches.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Springs<'a> {
+    pub(super) scene: &'a Scene<'a>,
+    pub(super) fingers: &'a Fingers,
+}
+
+/// The scaled moments of the fingers.
+pub(super) type Moments<const K: usize> = [f64; K];
+
+impl Springs<'_> {
+    /// Placements to begin with.
+    pub(super) fn first<const K: usize>(&self) -> Vec<Candidate<K, Moments<K>>> {
+        let rate = |spots: &[Spot; K]| self.rated(spots).map_or(0.0, |found| found.quality);
+        let tops = ascents(self.scene.supports.len(), rate, !self.is_enumerable::<K>());
+        tops.into_iter().filter_map(|(_, spots)| self.candidate(&spots)).collect()
+    }
+
+    /// Whether combinations of stretches are solved by enumeration.
+    fn is_enumerable<const K: usize>(&self) -> bool {
+        K == 4 && self.fingers.objective != Objective::WorstPoint
+    }
+
+    /// The least `sigma_min` that is asked for, in the scene's unit.
+    fn least_translation(&self) -> f64 {
+        match self.fingers.objective {
+            Objective::Rotation { least_translation } => {
+                least_translation / self.scene.stiffness_unit
+            }
+            Objective::Quality | Objective::WorstPoint => 0.0,
+        }
+    }
+
+    /// What is maximized, and what among ties.
+    pub(super) fn objectives(&self, rating: &Rating) -> (f64, f64) {
+        match self.fingers.objective {
+            Objective::Rotation { .. } => (rating.equivalent, rating.sigma_min),
+            Objective::WorstPoint => (rating.worst_point, rating.worst_point),
+            Objective::Quality => (rating.sigma_min.min(rating.equivalent), rating.equivalent),
+        }
+    }
+
+    /// A placement as a candidate, if it holds and fulfills what is asked for.
+    fn rated<const K: usize>(&self, spots: &[Spot; K]) -> Option<Candidate<K, Moments<K>>> {
+        let mut spots = *spots;
+        spots.sort_by_key(|spot| spot.stretch);
+        let (stretches, place) = (spots.map(|spot| spot.stretch), moments(self.scene, &spots));
+        let rating = rate(self.scene, self.fingers, &stretches, &place)?;
+        if rating.sigma_min < below(self.least_translation()) {
+            return None;
+        }
+        let (quality, second) = self.objectives(&rating);
+        Some(Candidate { stretches, quality, second, place })
+    }
+
+    /// The best that is known on the stretches of a placement.
+    fn candidate<const K: usize>(&self, spots: &[Spot; K]) -> Option<Candidate<K, Moments<K>>> {
+        if self.is_enumerable::<K>() {
+            let mut stretches = spots.map(|spot| spot.stretch);
+            stretches.sort_unstable();
+            self.solve(stretches, &Floor::NONE)
+        } else {
+            self.rated(spots)
+        }
+    }
+
+    /// The best placement on four stretches, ascending, if it exceeds `floor`.
+    pub(super) fn solve<const K: usize>(
+        &self,
+        stretches: [usize; K],
+        floor: &Floor,
+    ) -> Option<Candidate<K, Moments<K>>> {
+        let four: [usize; 4] = stretches.as_slice().try_into().ok()?;
+        let sigma_min = self.scene.sigma_min(&four);
+        if sigma_min < below(self.least_translation()) {
+            return None;
+        }
+        // `sigma_min` is the same for all placements on these stretches.
+        let with =
+            |equivalent| self.objectives(&Rating { sigma_min, equivalent, worst_point: 0.0 });
+        let (most, second) = with(f64::INFINITY);
+        if !floor.is_exceeded_by(most, second) {
+            return None;
+        }
+        // Where translation allows a tie and no more, the second objective decides.
+        let least = if most <= above(floor.quality) { floor.second } else { floor.quality };
+        let quadruple = Quadruple::new(self.scene, four, self.fingers)?;
+        if quadruple.bound() <= below(least) {
+            return None;
+        }
+        let peak = quadruple.peak(below(least))?;
+        let (quality, second) = with(peak.equivalent);
+        let found = quadruple.moments(peak.d, peak.z);
+        let place = std::array::from_fn(|i| found[i]);
+        floor.is_exceeded_by(quality, second).then_some(Candidate {
+            stretches,
+            quality,
+            second,
+            place,
+        })
+    }
+
+    /// The fingers of a candidate.
+    pub(super) fn solution<const K: usize>(
+        &self,
+        candidate: &Candidate<K, Moments<K>>,
+    ) -> Result<Solution, OptimizeError> {
+        let supports = candidate.stretches.map(|s| &self.scene.supports[s]);
+        let points: [Vector<2>; K] =
+            std::array::from_fn(|i| supports[i].point(candidate.place[i], self.scene.center));
+        let center = self.scene.center_of_compliance(&candidate.stretches, &candidate.place);
+        let wrenches = std::array::from_fn(|i| {
+            let [x, y] = supports[i].arm.to_array();
+            let moment = candidate.place[i] - supports[i].arm.dot(center);
+            Vector::new([x, y, moment / self.scene.radius]) * supports[i].weight.recip()
+        });
+        // Where one finger holds against all others in a point, rounding may hide it.
+        let shares = shares(&wrenches).map_or([0.0; K], |(_, shares)| shares);
+        let placement = |i: usize| Placement {
+            edge: supports[i].edge,
+            point: points[i],
+            inward_normal: supports[i].normal,
+            share: shares[i].max(0.0),
+        };
+        let mut placements: Vec<_> = (0..K).map(placement).collect();
+        let outline = self.scene.part.outline();
+        let along = |p: &Placement| (p.point - outline.edges()[p.edge].start()).norm_squared();
+        placements.sort_by(|p, q| p.edge.cmp(&q.edge).then(along(p).total_cmp(&along(q))));
+        let mut solution = Solution::of_first_order(self.scene.part, placements)?;
+        solution.objective = match self.fingers.objective {
+            Objective::Quality => solution.quality.value,
+            Objective::Rotation { .. } => solution.quality.equivalent(),
+            Objective::WorstPoint => solution.worst_point(self.scene.part)?.stiffness,
+        };
+        Ok(solution)
+    }
+}
+
+/// The search for the best placement of spring fingers.
+#[derive(Debug)]
+pub(super) struct SpringSearch<'a> {
+    springs: Springs<'a>,
+    pub(super) runs: Runs<3>,
+}
+
+impl<'a> SpringSearch<'a> {
+    pub(super) fn new(springs: Springs<'a>) -> Self {
+        Self { springs, runs: springs.scene.wrenches() }
+    }
+}
+
+impl<const K: usize> Problem<K> for SpringSearch<'_> {
+    type Place = Moments<K>;
+
+    fn halves(&self, piece: Piece) -> Option<[Piece; 2]> {
+        self.runs.halves(piece)
+    }
+
+    fn unit(&self) -> f64 {
+        self.springs.scene.stiffness_unit
+    }
+
+    fn combination(&self, node: &[Piece; K]) -> Option<[usize; K]> {
+        self.runs.combination(node)
+    }
+
+    fn bound(&self, node: &[Piece; K], floor: &Floor) -> Option<(f64, usize)> {
+        let springs = &self.springs;
+        let relaxation = Relaxation {
+            scene: springs.scene,
+            runs: &self.runs,
+            least_share: springs.fingers.least_share,
+            whole_stretches: springs.is_enumerable::<K>(),
+        };
+        match springs.fingers.objective {
+            Objective::Quality => floor.bound(|demand| relaxation.verdict(node, demand)),
+            Objective::Rotation { .. } => floor
+                .rotation_bound(below(springs.least_translation()), |demand| {
+                    relaxation.verdict(node, demand)
+                }),
+            Objective::WorstPoint => {
+                let demand = Demand::worst_point(below(floor.quality));
+                let verdict = relaxation.verdict(node, &demand)?;
+                Some((demand.rotation + verdict.surplus, verdict.split))
+            }
+        }
+    }
+
+    fn probe(&self, node: &[Piece; K]) -> Option<Candidate<K, Self::Place>> {
+        let springs = &self.springs;
+        let stretches = node.iter().map(|&piece| self.runs.stretches(piece).len()).max();
+        let spots = node.map(|piece| self.runs.middle(piece));
+        let rate = |spots: &[Spot; K]| springs.rated(spots).map_or(0.0, |found| found.quality);
+        let from = (rate(&spots), spots);
+        let fine = !springs.is_enumerable::<K>();
+        let (value, spots) =
+            climb(springs.scene.supports.len(), rate, from, stretches.unwrap_or(1) / 4, fine);
+        (value > 0.0).then(|| springs.candidate(&spots)).flatten()
+    }
+
+    fn settle(&self, node: &[Piece; K], floor: &Floor) -> Settled<K, Self::Place> {
+        let springs = &self.springs;
+        let Some(stretches) = self.runs.combination(node) else { return Settled::Open(None) };
+        if springs.is_enumerable::<K>() {
+            return Settled::Solved(springs.solve(stretches, floor));
+        }
+        let found = springs.rated(&node.map(|piece| self.runs.middle(piece)));
+        Settled::Open(found.filter(|found| floor.is_exceeded_by(found.quality, found.second)))
+    }
+}
