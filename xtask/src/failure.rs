@@ -51,6 +51,9 @@ pub(crate) enum Failure {
     /// A number of the guide could not be computed.
     #[error("cannot compute the example of the guide: {0}")]
     Guide(clench::contact::ContactError),
+    /// The library could not be compared with others, or they contradict it.
+    #[error(transparent)]
+    Peers(crate::peers::PeersError),
     /// A figure could not be drawn.
     #[error("cannot draw a figure: {0}")]
     Figure(clench_draw::DrawError),

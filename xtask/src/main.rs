@@ -10,6 +10,7 @@ mod failure;
 mod guide;
 mod made;
 mod paper;
+mod peers;
 mod tidy;
 mod workspace;
 
@@ -24,6 +25,7 @@ usage: cargo xtask TASK
   tidy    the rules of the repository that no compiler checks
   paper   the paper's numbers and figures, into docs/paper; --check writes nothing
   guide   the pictures of the guide, into docs/guide; --check writes nothing
+  peers   the library beside SCIP and NumPy, on standard output; needs Python 3; not part of ci
 ";
 
 fn main() -> ExitCode {
@@ -36,6 +38,7 @@ fn main() -> ExitCode {
         ["paper", "--check"] => paper::run(Mode::Check),
         ["guide"] => guide::run(Mode::Write),
         ["guide", "--check"] => guide::run(Mode::Check),
+        ["peers"] => peers::run(),
         _ => {
             eprint!("{USAGE}");
             return ExitCode::from(2);
