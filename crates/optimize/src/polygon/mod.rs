@@ -34,7 +34,8 @@
 //!
 //! # All combinations
 //!
-//! A node is a set of pieces of the boundary, one per finger. A finger's scaled wrench is `p = (a,
+//! A node is a set of pieces of the boundary, one per finger: some stretches of edges with like
+//! wrenches, one stretch, or a part of one. A finger's scaled wrench is `p = (a,
 //! s)`, and the stiffness is `K = sum of p p^T`, so whatever is linear in `K` is a sum over the
 //! fingers, and its largest value over the node is the sum of theirs: each is the largest value of
 //! a quadratic form over the wrenches of one piece. Placements with a quality of `q` or more

@@ -6,7 +6,7 @@ use clench_screw::planar::{cross, quarter_turn};
 use clench_screw::{Cholesky, Mat, Vector, Wrench};
 use clench_shape::Edge;
 
-use super::bound::{MOST_STRETCHES, Runs};
+use super::bound::{MOST_STRETCHES, Pieces};
 use super::closed_form::Convex;
 use super::{Part, Stretch};
 use crate::OptimizeError;
@@ -144,9 +144,9 @@ impl<'a> Scene<'a> {
         sets
     }
 
-    /// The runs of the boundary, as scaled wrenches.
-    pub(super) fn wrenches(&self) -> Runs<3> {
-        Runs::new(&self.supports, Vector::new([1.0, 1.0, self.radius]), Support::wrench)
+    /// The pieces of the boundary, as scaled wrenches.
+    pub(super) fn wrenches(&self) -> Pieces<3> {
+        Pieces::new(&self.supports, Vector::new([1.0, 1.0, self.radius]), Support::wrench)
     }
 
     /// The farthest corner of the point `d`, relative to the center.

@@ -2,7 +2,7 @@
 
 use clench_screw::Vector;
 
-use super::bound::{Demand, Piece, Relaxation, Runs};
+use super::bound::{Demand, Piece, Pieces, Relaxation};
 use super::closed_form::Quadruple;
 use super::rating::{Rating, Spot, moments, rate, shares};
 use super::scene::Scene;
@@ -152,12 +152,12 @@ impl Springs<'_> {
 #[derive(Debug)]
 pub(super) struct SpringSearch<'a> {
     springs: Springs<'a>,
-    pub(super) runs: Runs<3>,
+    pub(super) pieces: Pieces<3>,
 }
 
 impl<'a> SpringSearch<'a> {
     pub(super) fn new(springs: Springs<'a>) -> Self {
-        Self { springs, runs: springs.scene.wrenches() }
+        Self { springs, pieces: springs.scene.wrenches() }
     }
 }
 
@@ -165,7 +165,7 @@ impl<const K: usize> Problem<K> for SpringSearch<'_> {
     type Place = Moments<K>;
 
     fn halves(&self, piece: Piece) -> Option<[Piece; 2]> {
-        self.runs.halves(piece)
+        self.pieces.halves(piece)
     }
 
     fn unit(&self) -> f64 {
@@ -173,14 +173,14 @@ impl<const K: usize> Problem<K> for SpringSearch<'_> {
     }
 
     fn combination(&self, node: &[Piece; K]) -> Option<[usize; K]> {
-        self.runs.combination(node)
+        self.pieces.combination(node)
     }
 
     fn bound(&self, node: &[Piece; K], floor: &Floor) -> Option<(f64, usize)> {
         let springs = &self.springs;
         let relaxation = Relaxation {
             scene: springs.scene,
-            runs: &self.runs,
+            pieces: &self.pieces,
             least_share: springs.fingers.least_share,
             whole_stretches: springs.is_enumerable::<K>(),
         };
@@ -200,8 +200,8 @@ impl<const K: usize> Problem<K> for SpringSearch<'_> {
 
     fn probe(&self, node: &[Piece; K]) -> Option<Candidate<K, Self::Place>> {
         let springs = &self.springs;
-        let stretches = node.iter().map(|&piece| self.runs.stretches(piece).len()).max();
-        let spots = node.map(|piece| self.runs.middle(piece));
+        let stretches = node.iter().map(|&piece| self.pieces.stretches(piece).len()).max();
+        let spots = node.map(|piece| self.pieces.middle(piece));
         let rate = |spots: &[Spot; K]| springs.rated(spots).map_or(0.0, |found| found.quality);
         let from = (rate(&spots), spots);
         let fine = !springs.is_enumerable::<K>();
@@ -212,11 +212,11 @@ impl<const K: usize> Problem<K> for SpringSearch<'_> {
 
     fn settle(&self, node: &[Piece; K], floor: &Floor) -> Settled<K, Self::Place> {
         let springs = &self.springs;
-        let Some(stretches) = self.runs.combination(node) else { return Settled::Open(None) };
+        let Some(stretches) = self.pieces.combination(node) else { return Settled::Open(None) };
         if springs.is_enumerable::<K>() {
             return Settled::Solved(springs.solve(stretches, floor));
         }
-        let found = springs.rated(&node.map(|piece| self.runs.middle(piece)));
+        let found = springs.rated(&node.map(|piece| self.pieces.middle(piece)));
         Settled::Open(found.filter(|found| floor.is_exceeded_by(found.quality, found.second)))
     }
 }

@@ -4,7 +4,7 @@ use clench_screw::Vector;
 use clench_screw::planar::{cross, quarter_turn};
 
 use super::ThreeFingers;
-use super::bound::{Demand, Middle, Piece, Range, Runs, Verdict, is_excluded};
+use super::bound::{Demand, Middle, Piece, Pieces, Range, Verdict, is_excluded};
 use super::closed_form::Convex;
 use super::scene::{PARALLEL, Scene, Support};
 use super::search::{Candidate, Floor, Problem, Settled, below};
@@ -110,12 +110,12 @@ impl<'a> Triplets<'a> {
 #[derive(Debug)]
 pub(super) struct TripletSearch<'a> {
     triplets: Triplets<'a>,
-    /// The runs with their stiffness.
-    pub(super) springs: Runs<3>,
-    /// The runs as unit wrenches, and as unit wrenches with the offset of each edge,
+    /// The pieces with their stiffness.
+    pub(super) springs: Pieces<3>,
+    /// The pieces as unit wrenches, and as unit wrenches with the offset of each edge,
     /// `(J n, gamma, -n . x)`.
-    wrenches: Runs<3>,
-    lines: Runs<4>,
+    wrenches: Pieces<3>,
+    lines: Pieces<4>,
 }
 
 impl<'a> TripletSearch<'a> {
@@ -127,12 +127,11 @@ impl<'a> TripletSearch<'a> {
             let offset = -s.normal.dot(s.ends[0] - scene.center);
             Vector::new([s.arm[0], s.arm[1], moment, offset])
         };
-        Self {
-            triplets,
-            springs: scene.wrenches(),
-            wrenches: Runs::new(&unit, Vector::new([1.0, 1.0, radius]), Support::wrench),
-            lines: Runs::new(&unit, Vector::new([1.0, 1.0, radius, radius]), line),
-        }
+        let wrenches = Pieces::new(&unit, Vector::new([1.0, 1.0, radius]), Support::wrench);
+        let lines = Pieces::like(&wrenches, &unit, Vector::new([1.0, 1.0, radius, radius]), line);
+        let units = Vector::new([1.0, 1.0, radius]);
+        let springs = Pieces::like(&wrenches, &scene.supports, units, Support::wrench);
+        Self { triplets, springs, wrenches, lines }
     }
 
     /// How far the placements on a node can surpass `demand`.
@@ -160,7 +159,7 @@ impl<'a> TripletSearch<'a> {
             return None;
         }
         let surplus = (rotation - demand.rotation).min(translation - demand.translation);
-        // The run of most different wrenches.
+        // The piece of most different wrenches.
         let extent = |i: usize| {
             let [x, y, z] = [0, 1, 2]
                 .map(|c| middle.ranges[i].axes.iter().map(|axis| axis[c].abs()).sum::<f64>());

@@ -2,7 +2,7 @@
 
 use clench_screw::{Mat, SymmetricEigen, Vector};
 
-use super::runs::Range;
+use super::pieces::Range;
 use super::{ROUNDING, arm};
 
 /// The middle of a node is made as stiff against translation as this part of its stiffnesses, where

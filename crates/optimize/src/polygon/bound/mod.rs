@@ -4,8 +4,8 @@ mod closure;
 mod cut;
 mod demand;
 mod middle;
+mod pieces;
 mod relaxation;
-mod runs;
 
 use clench_screw::Vector;
 
@@ -16,10 +16,10 @@ pub(crate) use closure::is_excluded;
 pub(crate) use cut::{Cut, slack};
 pub(crate) use demand::{Demand, Verdict};
 pub(crate) use middle::Middle;
-pub(crate) use relaxation::Relaxation;
 #[cfg(test)]
-pub(crate) use runs::value;
-pub(crate) use runs::{MOST_STRETCHES, Piece, Range, Runs};
+pub(crate) use pieces::value;
+pub(crate) use pieces::{MOST_STRETCHES, Piece, Pieces, Range};
+pub(crate) use relaxation::Relaxation;
 
 /// Bounds and their tests are rounded by this many units times the sizes that they are made of.
 const ROUNDING: f64 = 64.0 * f64::EPSILON;

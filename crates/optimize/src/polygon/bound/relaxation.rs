@@ -6,7 +6,7 @@ use super::closure;
 use super::cut::{Cut, best_weight, slack};
 use super::demand::{Demand, Verdict};
 use super::middle::Middle;
-use super::runs::{Piece, Runs, value};
+use super::pieces::{Piece, Pieces, value};
 use super::{ROUNDING, arm};
 use crate::polygon::scene::Scene;
 
@@ -17,7 +17,7 @@ const SWEEPS: usize = 3;
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Relaxation<'a> {
     pub(crate) scene: &'a Scene<'a>,
-    pub(crate) runs: &'a Runs<3>,
+    pub(crate) pieces: &'a Pieces<3>,
     /// No finger may have a smaller share of the preload.
     pub(crate) least_share: f64,
     /// Whether single stretches are left whole, since they are solved otherwise.
@@ -31,7 +31,7 @@ impl Relaxation<'_> {
         node: &[Piece; K],
         demand: &Demand,
     ) -> Option<Verdict> {
-        let middle = Middle::new(node.map(|piece| self.runs.range(piece)), demand.translation);
+        let middle = Middle::new(node.map(|piece| self.pieces.range(piece)), demand.translation);
         let translation = middle.largest_translation();
         if translation <= demand.translation {
             return None;
@@ -160,7 +160,7 @@ impl Relaxation<'_> {
     fn excess<const K: usize>(&self, middle: &Middle<K>, demand: &Demand, cut: &Cut<K>) -> f64 {
         let mut sum = 0.0;
         for (w, linear) in middle.ranges.iter().zip(cut.linear) {
-            sum += self.runs.largest(w, &cut.form, linear);
+            sum += self.pieces.largest(w, &cut.form, linear);
         }
         sum - cut.constant + cut.slack + slack(middle, demand, cut) + ROUNDING * cut.size
     }
@@ -168,12 +168,13 @@ impl Relaxation<'_> {
     /// The piece whose extent raises the bound most.
     fn split<const K: usize>(&self, middle: &Middle<K>, demand: &Demand, cut: &Cut<K>) -> usize {
         let slack = 2.0 * slack(middle, demand, cut) / middle.spread;
-        let mut most = (0, -1.0);
+        // Over few stretches nothing need be as large as in the middle of their box.
+        let mut most = (0, f64::NEG_INFINITY);
         for (i, w) in middle.ranges.iter().enumerate() {
             if self.whole_stretches && w.is_single() {
                 continue;
             }
-            let mut rise = self.runs.largest(w, &cut.form, cut.linear[i])
+            let mut rise = self.pieces.largest(w, &cut.form, cut.linear[i])
                 - value(&cut.form, cut.linear[i], w.center);
             if middle.spread > 0.0 {
                 rise += slack * (w.turn_radius + w.stiffness_spread);

@@ -60,10 +60,10 @@ fn no_bound_is_below_the_best_of_the_combinations_under_it() {
         let search = SpringSearch::new(springs);
         let Some(best) = enumerated(springs, scene.supports.len()) else { continue };
         for _ in 0..30 {
-            let pieces: [Piece; 4] = node(r, &search.runs, false);
+            let pieces: [Piece; 4] = node(r, &search.pieces, false);
             let floor = floor(r, best);
             let bound = search.bound(&pieces, &floor);
-            let ranges = pieces.map(|piece| search.runs.stretches(piece));
+            let ranges = pieces.map(|piece| search.pieces.stretches(piece));
             let mut under = (0.0, 0.0);
             each_set::<4>(scene.supports.len(), |set| {
                 if !covers(&ranges, set) {
@@ -83,8 +83,8 @@ fn no_bound_is_below_the_best_of_the_combinations_under_it() {
 }
 
 /// Whether fingers on the stretches of `set` can be dealt to the ranges, one each.
-fn covers<const K: usize>(ranges: &[std::ops::Range<usize>; K], set: [usize; K]) -> bool {
-    fn deal(ranges: &[std::ops::Range<usize>], rest: &[usize]) -> bool {
+fn covers<const K: usize>(ranges: &[&[usize]; K], set: [usize; K]) -> bool {
+    fn deal(ranges: &[&[usize]], rest: &[usize]) -> bool {
         let Some((first, others)) = ranges.split_first() else { return true };
         (0..rest.len()).any(|i| {
             let mut left = rest.to_vec();
@@ -111,14 +111,14 @@ fn no_bound_is_below_a_placement_under_it() {
         let search = SpringSearch::new(springs);
         let mut compared = 0;
         for _ in 0..10 {
-            let pieces: [Piece; K] = node(r, &search.runs, true);
+            let pieces: [Piece; K] = node(r, &search.pieces, true);
             let mut rated = Vec::new();
             for _ in 0..300 {
                 let spots = pieces.map(|piece| {
-                    let stretches = search.runs.stretches(piece);
+                    let stretches = search.pieces.stretches(piece);
                     let (from, to) = piece.along();
                     let along = [from, to, r.between(from, to)][r.below(3)];
-                    Spot { stretch: stretches.start + r.below(stretches.len()), along }
+                    Spot { stretch: stretches[r.below(stretches.len())], along }
                 });
                 let stretches = spots.map(|spot: Spot| spot.stretch);
                 let moments = moments(&scene, &spots);

@@ -27,20 +27,20 @@ fn placements_fulfill_the_cuts_of_their_own_quality_and_need_the_slack() {
         let outline = Polygon::new(&corners).unwrap();
         let part = Part::new(outline, stiffness).unwrap();
         let scene = Scene::checked(&part).unwrap();
-        let runs = scene.wrenches();
+        let tree = scene.wrenches();
         let least_share = [0.0, 0.05][r.below(2)];
         let node: [Piece; 4] = std::array::from_fn(|_| {
             let mut piece = Piece::BOUNDARY;
             for _ in 0..=r.below(3) {
-                piece = runs.halves(piece).unwrap()[r.below(2)];
+                piece = tree.halves(piece).unwrap()[r.below(2)];
             }
             piece
         });
         let fingers = Fingers { objective: Objective::WorstPoint, least_share, ..Fingers::new(4) };
         for _ in 0..50 {
             let spots = node.map(|piece| {
-                let (stretches, (from, to)) = (runs.stretches(piece), piece.along());
-                let stretch = stretches.start + r.below(stretches.len());
+                let (stretches, (from, to)) = (tree.stretches(piece), piece.along());
+                let stretch = stretches[r.below(stretches.len())];
                 Spot { stretch, along: r.between(from, to) }
             });
             let (stretches, place) = (spots.map(|spot| spot.stretch), moments(&scene, &spots));
@@ -52,7 +52,7 @@ fn placements_fulfill_the_cuts_of_their_own_quality_and_need_the_slack() {
                 worst_point: rating.worst_point,
             };
             let wrenches = std::array::from_fn(|i| scene.supports[stretches[i]].wrench(place[i]));
-            let middle = Middle::new(node.map(|piece| runs.range(piece)), demand.translation);
+            let middle = Middle::new(node.map(|piece| tree.range(piece)), demand.translation);
             let center = scene.center_of_compliance(&stretches, &place);
             let corners = part.outline().corners();
             let any = corners[r.below(corners.len())] - scene.center;

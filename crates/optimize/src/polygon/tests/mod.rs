@@ -9,7 +9,7 @@ use std::f64::consts::TAU;
 use clench_shape::Polygon;
 use clench_testkit::Random;
 
-use super::bound::{Piece, Runs};
+use super::bound::{Piece, Pieces};
 use super::search::{Floor, Leaders};
 use super::springs::Springs;
 use super::{Fingers, Objective, Part, Stretch};
@@ -107,12 +107,12 @@ fn enumerated(springs: Springs<'_>, stretches: usize) -> Option<(f64, f64)> {
 }
 
 /// A node somewhere in the tree, its pieces ascending; with stretches whole or divided.
-fn node<const K: usize>(r: &mut Random, runs: &Runs<3>, divided: bool) -> [Piece; K] {
+fn node<const K: usize>(r: &mut Random, tree: &Pieces<3>, divided: bool) -> [Piece; K] {
     let mut pieces = [Piece::BOUNDARY; K];
     for piece in &mut pieces {
         for _ in 0..r.below(7) {
-            if divided || runs.stretches(*piece).len() > 1 {
-                *piece = runs.halves(*piece).unwrap()[r.below(2)];
+            if divided || tree.stretches(*piece).len() > 1 {
+                *piece = tree.halves(*piece).unwrap()[r.below(2)];
             }
         }
     }

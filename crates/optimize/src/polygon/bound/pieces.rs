@@ -1,7 +1,7 @@
-//! Runs of the boundary: a binary tree over its stretches, with a box of wrenches for each run.
+//! Pieces of the boundary: a binary tree over its stretches, with a box of wrenches for each run.
 #![allow(
     clippy::cast_possible_truncation,
-    reason = "fewer runs than twice the stretches, and those are in memory"
+    reason = "fewer groups than twice the stretches, and those are in memory"
 )]
 
 use clench_screw::{Mat, SymmetricEigen, Vector};
@@ -12,20 +12,21 @@ use crate::polygon::scene::Support;
 /// A box is drawn wider by this many units of rounding of the sizes that it was computed from.
 const BOX_ROUNDING: f64 = 16.0 * f64::EPSILON;
 
-/// Runs of up to this many stretches are looked at one by one instead of by their box.
+/// Pieces of up to this many stretches are looked at one by one instead of by their box.
 const SCAN_LIMIT: usize = 8;
 
 /// Stretches are halved this many times at most.
 const DEEPEST: u32 = PART_BITS - 1;
 
-/// The bits of a piece that tell the part of its stretch; the others tell the run.
+/// The bits of a piece that tell the part of its stretch; the others tell the
+/// group.
 const PART_BITS: u32 = 40;
 
-/// The largest number of stretches whose runs can be told apart.
+/// The largest number of stretches whose groups can be told apart.
 pub(crate) const MOST_STRETCHES: usize = 1 << (63 - PART_BITS);
 
-/// A run, or a dyadic part of a single stretch: 1 is the whole, `2 i` and `2 i + 1` are the halves
-/// of part `i`.
+/// A group of stretches with like wrenches, or a dyadic part of a single one: 1 is the whole, `2 i`
+/// and `2 i + 1` are the halves of part `i`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) struct Piece(u64);
 
@@ -33,11 +34,11 @@ impl Piece {
     /// The whole boundary.
     pub(crate) const BOUNDARY: Self = Self::new(0, 1);
 
-    const fn new(run: u32, part: u64) -> Self {
-        Self((run as u64) << PART_BITS | part)
+    const fn new(group: u32, part: u64) -> Self {
+        Self((group as u64) << PART_BITS | part)
     }
 
-    const fn run(self) -> usize {
+    const fn group(self) -> usize {
         (self.0 >> PART_BITS) as usize
     }
 
@@ -105,50 +106,79 @@ pub(crate) fn value<const D: usize>(form: &Mat<D, D>, linear: Vector<D>, p: Vect
 
 /// A node of the tree.
 #[derive(Clone, Copy, Debug)]
-struct Run<const D: usize> {
+struct Group<const D: usize> {
     range: Range<D>,
     /// The two halves; unused for a single stretch.
     halves: [u32; 2],
 }
 
-/// All runs; the first is the whole boundary.
+/// All groups; the first is the whole boundary.
 #[derive(Clone, Debug)]
-pub(crate) struct Runs<const D: usize> {
-    runs: Vec<Run<D>>,
-    /// The vectors at the two ends of each stretch.
+pub(crate) struct Pieces<const D: usize> {
+    groups: Vec<Group<D>>,
+    /// The stretches, each group next to each other.
+    order: Vec<usize>,
+    /// The vectors at the two ends of each stretch, in this order.
     ends: Vec<[Vector<D>; 2]>,
 }
 
-impl<const D: usize> Runs<D> {
-    /// The tree over `supports`, in their order, with their vectors at a scaled moment, which is
-    /// linear; components are compared in these `units`.
+impl<const D: usize> Pieces<D> {
+    /// The tree over `supports`, with their vectors at a scaled moment, which is linear; components
+    /// are compared in these `units`.
     pub(crate) fn new(
         supports: &[Support],
         units: Vector<D>,
         vector: impl Fn(&Support, f64) -> Vector<D>,
     ) -> Self {
-        let ends = supports.iter().map(|s| [vector(s, s.low), vector(s, s.high)]).collect();
-        let mut tree = Self { runs: Vec::with_capacity(2 * supports.len()), ends };
-        tree.grow(supports, 0, supports.len(), units);
+        let middle = |s: &Support| {
+            let p = vector(s, 0.5 * (s.low + s.high));
+            Vector::<D>::from_fn(|i| p[i] / units[i])
+        };
+        let middles: Vec<_> = supports.iter().map(middle).collect();
+        let mut order: Vec<_> = (0..supports.len()).collect();
+        arrange(&middles, &mut order);
+        Self::in_order(order, supports, units, vector)
+    }
+
+    /// The tree whose pieces are those of another one, over other vectors.
+    pub(crate) fn like<const E: usize>(
+        other: &Pieces<E>,
+        supports: &[Support],
+        units: Vector<D>,
+        vector: impl Fn(&Support, f64) -> Vector<D>,
+    ) -> Self {
+        Self::in_order(other.order.clone(), supports, units, vector)
+    }
+
+    fn in_order(
+        order: Vec<usize>,
+        supports: &[Support],
+        units: Vector<D>,
+        vector: impl Fn(&Support, f64) -> Vector<D>,
+    ) -> Self {
+        let sorted: Vec<_> = order.iter().map(|&stretch| supports[stretch]).collect();
+        let ends = sorted.iter().map(|s| [vector(s, s.low), vector(s, s.high)]).collect();
+        let mut tree = Self { groups: Vec::with_capacity(2 * sorted.len()), order, ends };
+        tree.grow(&sorted, 0, sorted.len(), units);
         tree
     }
 
     fn grow(&mut self, supports: &[Support], first: usize, end: usize, units: Vector<D>) -> u32 {
-        let place = self.runs.len();
+        let place = self.groups.len();
         let range = self.enclose(supports, (first, end), units);
-        self.runs.push(Run { range, halves: [0; 2] });
+        self.groups.push(Group { range, halves: [0; 2] });
         if end - first > 1 {
             let middle = usize::midpoint(first, end);
             let left = self.grow(supports, first, middle, units);
             let right = self.grow(supports, middle, end, units);
-            self.runs[place].halves = [left, right];
+            self.groups[place].halves = [left, right];
         }
         place as u32
     }
 
     /// What fingers on `piece` can be.
     pub(crate) fn range(&self, piece: Piece) -> Range<D> {
-        let mut range = self.runs[piece.run()].range;
+        let mut range = self.groups[piece.group()].range;
         if piece.part() > 1 {
             let (from, to) = piece.along();
             let axis = range.axes[0];
@@ -160,42 +190,38 @@ impl<const D: usize> Runs<D> {
 
     /// The two halves of a piece; `None` where there is nothing left to halve.
     pub(crate) fn halves(&self, piece: Piece) -> Option<[Piece; 2]> {
-        let run = &self.runs[piece.run()];
-        if !run.range.is_single() {
-            return Some(run.halves.map(|half| Piece::new(half, 1)));
+        let group = &self.groups[piece.group()];
+        if !group.range.is_single() {
+            return Some(group.halves.map(|half| Piece::new(half, 1)));
         }
-        let (part, run) = (piece.part(), piece.0 - piece.part());
-        (part.ilog2() < DEEPEST).then(|| [2 * part, 2 * part + 1].map(|half| Piece(run + half)))
+        let (part, whole) = (piece.part(), piece.0 - piece.part());
+        (part.ilog2() < DEEPEST).then(|| [2 * part, 2 * part + 1].map(|half| Piece(whole + half)))
     }
 
     /// The stretches of a piece.
-    pub(crate) fn stretches(&self, piece: Piece) -> std::ops::Range<usize> {
-        let range = &self.runs[piece.run()].range;
-        range.first as usize..range.end as usize
+    pub(crate) fn stretches(&self, piece: Piece) -> &[usize] {
+        let range = &self.groups[piece.group()].range;
+        &self.order[range.first as usize..range.end as usize]
     }
 
     /// The stretches, ascending, of pieces that are of one each.
     pub(crate) fn combination<const K: usize>(&self, node: &[Piece; K]) -> Option<[usize; K]> {
-        let mut first = [0; K];
-        for (first, &piece) in first.iter_mut().zip(node) {
-            let stretches = self.stretches(piece);
-            if stretches.len() > 1 {
-                return None;
+        let mut combination = [0; K];
+        for (stretch, &piece) in combination.iter_mut().zip(node) {
+            match self.stretches(piece) {
+                [one] => *stretch = *one,
+                _ => return None,
             }
-            *first = stretches.start;
         }
-        first.sort_unstable();
-        Some(first)
+        combination.sort_unstable();
+        Some(combination)
     }
 
     /// A place near the middle of a piece.
     pub(crate) fn middle(&self, piece: Piece) -> Spot {
         let stretches = self.stretches(piece);
         let (from, to) = piece.along();
-        Spot {
-            stretch: usize::midpoint(stretches.start, stretches.end - 1),
-            along: 0.5 * (from + to),
-        }
+        Spot { stretch: stretches[stretches.len() / 2], along: 0.5 * (from + to) }
     }
 
     /// An upper bound of `p^T form p + linear . p` over a range; attained when it is of few
@@ -266,6 +292,38 @@ impl<const D: usize> Runs<D> {
     }
 }
 
+/// Sorts the numbers of points so that halving the list again and again keeps neighbors together:
+/// each time by the place along the longest principal axis.
+fn arrange<const D: usize>(points: &[Vector<D>], order: &mut [usize]) {
+    if order.len() < 3 {
+        return;
+    }
+    let of = |order: &[usize]| order.iter().map(|&i| points[i]).collect::<Vec<_>>();
+    let (_, axes) = principal_axes(of(order).into_iter());
+    let axis = axes[D - 1];
+    let along = |i: usize| points[i].dot(axis);
+    let middle = usize::midpoint(0, order.len());
+    order.select_nth_unstable_by(middle, |&i, &j| along(i).total_cmp(&along(j)).then(i.cmp(&j)));
+    let (left, right) = order.split_at_mut(middle);
+    arrange(points, left);
+    arrange(points, right);
+}
+
+/// The mean of points and their principal axes, the longest one last.
+fn principal_axes<const D: usize>(
+    points: impl Iterator<Item = Vector<D>> + Clone,
+) -> (Vector<D>, [Vector<D>; D]) {
+    let count = points.clone().count() as f64;
+    let mean = points.clone().fold(Vector::ZERO, |sum, p| sum + p) * count.recip();
+    let covariance = points.fold(Mat::<D, D>::ZERO, |sum, p| sum + Mat::outer(p - mean, p - mean));
+    // Any axes will do; principal ones make thin boxes.
+    let axes = SymmetricEigen::new(&covariance).map_or_else(
+        |_| std::array::from_fn(|j| Vector::from_fn(|i| if i == j { 1.0 } else { 0.0 })),
+        |eigen| eigen.vectors,
+    );
+    (mean, axes)
+}
+
 /// The box around `points` along their principal axes, each component in its unit.
 fn principal_box<const D: usize>(
     points: &[Vector<D>],
@@ -273,15 +331,7 @@ fn principal_box<const D: usize>(
 ) -> (Vector<D>, [Vector<D>; D]) {
     let unscaled = |p: Vector<D>| Vector::from_fn(|i| p[i] * units[i]);
     let points = points.iter().map(|p| Vector::<D>::from_fn(|i| p[i] / units[i]));
-    let count = points.len() as f64;
-    let mean = points.clone().fold(Vector::ZERO, |sum, p| sum + p) * count.recip();
-    let covariance =
-        points.clone().fold(Mat::<D, D>::ZERO, |sum, p| sum + Mat::outer(p - mean, p - mean));
-    // Boxes along any axes are valid; along the principal ones they are thin.
-    let axes = SymmetricEigen::new(&covariance).map_or_else(
-        |_| std::array::from_fn(|j| Vector::from_fn(|i| if i == j { 1.0 } else { 0.0 })),
-        |eigen| eigen.vectors,
-    );
+    let (mean, axes) = principal_axes(points.clone());
     let (mut low, mut high, mut size) = ([f64::INFINITY; D], [f64::NEG_INFINITY; D], 0.0_f64);
     for p in points {
         size = size.max(p.max_abs());
