@@ -52,7 +52,7 @@
 //!   the node's size. Corners may be mixed: `|d - v|^2` is then a mean;
 //! - *worst point*: `sum (p . t)^2 >= q |deflection of v by t|^2` for any twist `t` and corner `v`;
 //! - *closure*: the balancing forces of four fingers are determinants of three wrenches each,
-//! linear but for terms of second order, and have one sign.
+//!   linear but for terms of second order, and have one sign.
 //!
 //! A sum of these with weights that leaves no room over the node excludes it, as does a twist that
 //! all forces on the node help. Weights come from a linear model of the node; what they are does

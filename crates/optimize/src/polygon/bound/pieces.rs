@@ -18,8 +18,7 @@ const SCAN_LIMIT: usize = 8;
 /// Stretches are halved this many times at most.
 const DEEPEST: u32 = PART_BITS - 1;
 
-/// The bits of a piece that tell the part of its stretch; the others tell the
-/// group.
+/// The bits of a piece that tell the part of its stretch; the others tell the group.
 const PART_BITS: u32 = 40;
 
 /// The largest number of stretches whose groups can be told apart.
