@@ -47,14 +47,6 @@ pub enum OptimizeError {
         /// The last edge of the outline.
         last: usize,
     },
-    /// There are more stretches than can be told apart.
-    #[error("found {found} stretches of edges, but a search can tell {most} apart")]
-    TooManyStretches {
-        /// How many there are.
-        found: usize,
-        /// How many there may be.
-        most: usize,
-    },
     /// The largest edge stiffness is too many times the smallest.
     #[error(
         "the edge stiffnesses go from {smallest:e} to {largest:e}: their ratio has to be below \
@@ -134,6 +126,17 @@ pub enum OptimizeError {
     /// No stretch of any edge may be touched.
     #[error("no stretch of any edge may be touched")]
     NowhereToTouch,
+    /// All normals are so nearly parallel that rounding hides whether the part can be held.
+    #[error(
+        "the edges are parallel up to {sine:e}, too little for a placement of {fingers} fingers \
+         to be told from one that holds nothing"
+    )]
+    TooThin {
+        /// The number of fingers.
+        fingers: usize,
+        /// The largest sine of the angle between two normals, up to a factor of 2.
+        sine: f64,
+    },
     /// The normals of no combination positively span the plane.
     #[error(
         "no placement of {fingers} frictionless fingers holds the part: on no \

@@ -104,7 +104,7 @@ impl Fingers {
 /// [`OptimizeError::NormalsNeverBalance`], [`OptimizeError::TorquesNeverBalance`] or
 /// [`OptimizeError::ConditionsNeverMet`] when so many frictionless fingers cannot hold the part so;
 /// [`OptimizeError::NothingFound`] when the search was stopped before;
-/// [`OptimizeError::NowhereToTouch`], [`OptimizeError::TooManyStretches`];
+/// [`OptimizeError::NowhereToTouch`]; [`OptimizeError::TooThin`] and
 /// [`OptimizeError::OutOfRange`] when the numbers of the best placement overflow.
 pub fn fingers(
     part: &Part,

@@ -8,17 +8,17 @@ use super::{Fingers, Objective};
 
 /// A center of compliance is told from a free translation where `sigma_min` is more than this many
 /// units of rounding of the stiffnesses.
-const FREE: f64 = 1e6 * f64::EPSILON;
+const FREE: f64 = 64.0 * f64::EPSILON;
 
 /// Distances may fall short by this many units of rounding of the moments.
-const DISTANCE_ROUNDING: f64 = 64.0 * f64::EPSILON;
+pub(super) const DISTANCE_ROUNDING: f64 = 64.0 * f64::EPSILON;
 
-/// A finger pushes if its share of the preload is at least this: more than the rounding of shares
-/// of wrenches that span their space, as told by [`DETERMINANT`].
-const PUSHING: f64 = 1e-9;
+/// A finger pushes if its share of the preload is at least this: far above the rounding of
+/// directions of edges, which are short beside their distance from the origin.
+pub(super) const PUSHING: f64 = 1e-9;
 
-/// Wrenches span their space where determinants of three are more than this times their sizes.
-const DETERMINANT: f64 = 1e6 * f64::EPSILON;
+/// Determinants of three wrenches are rounded by this many units of their sizes.
+const DETERMINANT: f64 = 64.0 * f64::EPSILON;
 
 /// A place on a stretch: 0 at the end of least moment, 1 at the other.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -62,12 +62,13 @@ pub(super) fn rate<const K: usize>(
         yy += y * y;
         first += support.arm * moment;
     }
-    let (determinant, sum) = (xx * yy - xy * xy, xx + yy);
-    let root = ((xx - yy) * (xx - yy) + 4.0 * xy * xy).sqrt();
-    let sigma_min = 2.0 * determinant / (sum + root);
+    let sigma_min = scene.sigma_min(stretches);
+    let sum = xx + yy;
     if sigma_min <= FREE * sum {
         return None;
     }
+    // The product of both eigenvalues, so that nothing cancels.
+    let determinant = sigma_min * (sum - sigma_min);
     let per_determinant = determinant.recip();
     let d = Vector::new([yy * first[0] - xy * first[1], xx * first[1] - xy * first[0]])
         * per_determinant;
@@ -76,8 +77,8 @@ pub(super) fn rate<const K: usize>(
         let [x, y] = supports[i].arm.to_array();
         Vector::new([x, y, about[i] / scene.radius]) * supports[i].weight.recip()
     });
-    let (least, _) = shares(&wrenches)?;
-    if least < fingers.least_share.max(PUSHING) {
+    let shares = shares(&wrenches)?;
+    if shares.least - shares.rounding < PUSHING || shares.least < fingers.least_share {
         return None;
     }
     for i in 0..K {
@@ -103,37 +104,46 @@ pub(super) fn rate<const K: usize>(
     Some(Rating { sigma_min, equivalent, worst_point })
 }
 
-/// The shares of the preload with which these wrenches balance, with sum 1, and with the largest
-/// least share where there is a choice; `None` where the wrenches do not span their space, up to
-/// rounding.
+/// A balanced preload.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Shares<const K: usize> {
+    /// They sum to 1.
+    pub(super) all: [f64; K],
+    pub(super) least: f64,
+    /// How well they are known.
+    rounding: f64,
+}
+
+/// The shares of the preload with which these wrenches balance, with the largest least share where
+/// there is a choice; `None` where the wrenches do not span their space.
 ///
 /// That is a linear program, and at a corner of what it allows all but three fingers have the least
 /// share: so all triplets are tried, with the least share from the determinants of the three and
 /// of the sum of all wrenches.
-pub(super) fn shares<const K: usize>(wrenches: &[Vector<3>; K]) -> Option<(f64, [f64; K])> {
-    let all = wrenches.iter().fold(Vector::ZERO, |sum, &w| sum + w);
+pub(super) fn shares<const K: usize>(wrenches: &[Vector<3>; K]) -> Option<Shares<K>> {
+    let sum = wrenches.iter().fold(Vector::ZERO, |sum, &w| sum + w);
     let sizes = wrenches.map(Vector::norm);
     let size: f64 = sizes.iter().sum();
-    let mut best: Option<(f64, [f64; K])> = None;
+    let mut best: Option<Shares<K>> = None;
     for k in 0..K {
         for j in 0..k {
             for i in 0..j {
                 let [p, q, r] = [wrenches[i], wrenches[j], wrenches[k]];
                 let [a, b, c] = [sizes[i], sizes[j], sizes[k]];
-                let least = -p.dot(cross(q, r));
-                let mut shares = [least; K];
-                shares[i] += q.dot(cross(r, all));
-                shares[j] -= p.dot(cross(r, all));
-                shares[k] += p.dot(cross(q, all));
-                let total: f64 = shares.iter().sum();
-                let rounding = DETERMINANT * (size * (a * b + b * c + c * a) + a * b * c);
-                if total.abs() <= rounding {
+                let mut all = [-p.dot(cross(q, r)); K];
+                all[i] += q.dot(cross(r, sum));
+                all[j] -= p.dot(cross(r, sum));
+                all[k] += p.dot(cross(q, sum));
+                let total: f64 = all.iter().sum();
+                if total == 0.0 {
                     continue;
                 }
-                let shares = shares.map(|share| share / total);
-                let least = shares.iter().copied().fold(f64::INFINITY, f64::min);
-                if best.is_none_or(|(most, _)| least > most) {
-                    best = Some((least, shares));
+                let all = all.map(|share| share / total);
+                let least = all.iter().copied().fold(f64::INFINITY, f64::min);
+                let size = size * (a * b + b * c + c * a) + a * b * c;
+                let rounding = DETERMINANT * size / total.abs();
+                if best.is_none_or(|best| least - rounding > best.least - best.rounding) {
+                    best = Some(Shares { all, least, rounding });
                 }
             }
         }

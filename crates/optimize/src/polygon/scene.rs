@@ -6,7 +6,7 @@ use clench_screw::planar::{cross, quarter_turn};
 use clench_screw::{Cholesky, Mat, Vector, Wrench};
 use clench_shape::Edge;
 
-use super::bound::{MOST_STRETCHES, Pieces};
+use super::bound::Pieces;
 use super::closed_form::Convex;
 use super::{Part, Stretch};
 use crate::OptimizeError;
@@ -111,15 +111,12 @@ impl<'a> Scene<'a> {
     ///
     /// # Errors
     ///
-    /// [`OptimizeError::NowhereToTouch`], [`OptimizeError::TooManyStretches`].
+    /// [`OptimizeError::NowhereToTouch`].
     pub(super) fn checked(part: &'a Part) -> Result<Self, OptimizeError> {
-        match part.stretches().len() {
-            0 => Err(OptimizeError::NowhereToTouch),
-            found if found > MOST_STRETCHES => {
-                Err(OptimizeError::TooManyStretches { found, most: MOST_STRETCHES })
-            }
-            _ => Ok(Self::new(part)),
+        if part.stretches().is_empty() {
+            return Err(OptimizeError::NowhereToTouch);
         }
+        Ok(Self::new(part))
     }
 
     /// The sets of stretches, ascending, with one on each of these edges.
@@ -166,6 +163,13 @@ impl<'a> Scene<'a> {
         }
         // What was found holds the part, up to rounding.
         Cholesky::new(&gram).map_or(Vector::ZERO, |gram| gram.solve(first))
+    }
+
+    /// The largest sine of the angle between the first normal and another one.
+    pub(super) fn largest_sine(&self) -> f64 {
+        let normals = self.supports.iter().map(|s| s.normal);
+        let first = self.supports[0].normal;
+        normals.map(|normal| cross(first, normal).abs()).fold(0.0, f64::max)
     }
 
     /// Whether normals of `fingers` stretches can positively span the plane.

@@ -4,7 +4,7 @@ use clench_screw::Vector;
 
 use super::bound::{Demand, Piece, Pieces, Relaxation};
 use super::closed_form::Quadruple;
-use super::rating::{Rating, Spot, moments, rate, shares};
+use super::rating::{DISTANCE_ROUNDING, PUSHING, Rating, Spot, moments, rate, shares};
 use super::scene::Scene;
 use super::search::{Candidate, Floor, Problem, Settled, above, ascents, below, climb};
 use super::{Fingers, Objective};
@@ -31,6 +31,31 @@ impl Springs<'_> {
     /// Whether combinations of stretches are solved by enumeration.
     fn is_enumerable<const K: usize>(&self) -> bool {
         K == 4 && self.fingers.objective != Objective::WorstPoint
+    }
+
+    /// The least share that bounds count with. Combinations that are solved may have limits with a
+    /// share of 0; where placements are rated, all have to push.
+    fn least_share<const K: usize>(&self) -> f64 {
+        let least = self.fingers.least_share;
+        if self.is_enumerable::<K>() { least } else { least.max(PUSHING) }
+    }
+
+    /// Whether two fingers on pieces of one edge are too near to each other, wherever they are.
+    fn are_crowded<const K: usize>(&self, node: &[Piece; K], pieces: &Pieces<3>) -> bool {
+        let ends = |piece: Piece| {
+            let [one] = *pieces.stretches(piece) else { return None };
+            let range = pieces.range(piece);
+            let (middle, half) = (range.center[2], range.axes[0][2].abs());
+            Some((&self.scene.supports[one], middle - half, middle + half))
+        };
+        let crowded = |a: Piece, b: Piece| {
+            let ((one, a, b), (other, c, d)) = ends(a).zip(ends(b))?;
+            let size = a.abs().max(b.abs()).max(c.abs()).max(d.abs());
+            let most = b.max(d) - a.min(c) + DISTANCE_ROUNDING * size;
+            Some(one.edge == other.edge && most < self.fingers.least_distance * one.weight)
+        };
+        self.fingers.least_distance > 0.0
+            && (0..K).any(|i| (0..i).any(|j| crowded(node[i], node[j]) == Some(true)))
     }
 
     /// The least `sigma_min` that is asked for, in the scene's unit.
@@ -126,8 +151,8 @@ impl Springs<'_> {
             let moment = candidate.place[i] - supports[i].arm.dot(center);
             Vector::new([x, y, moment / self.scene.radius]) * supports[i].weight.recip()
         });
-        // Where one finger holds against all others in a point, rounding may hide it.
-        let shares = shares(&wrenches).map_or([0.0; K], |(_, shares)| shares);
+        // No answer has wrenches that do not span their space.
+        let shares = shares(&wrenches).map_or([0.0; K], |shares| shares.all);
         let placement = |i: usize| Placement {
             edge: supports[i].edge,
             point: points[i],
@@ -178,10 +203,13 @@ impl<const K: usize> Problem<K> for SpringSearch<'_> {
 
     fn bound(&self, node: &[Piece; K], floor: &Floor) -> Option<(f64, usize)> {
         let springs = &self.springs;
+        if springs.are_crowded(node, &self.pieces) {
+            return None;
+        }
         let relaxation = Relaxation {
             scene: springs.scene,
             pieces: &self.pieces,
-            least_share: springs.fingers.least_share,
+            least_share: springs.least_share::<K>(),
             whole_stretches: springs.is_enumerable::<K>(),
         };
         match springs.fingers.objective {

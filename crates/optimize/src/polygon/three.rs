@@ -61,7 +61,7 @@ impl ThreeFingers {
 /// [`OptimizeError::Gap`]; [`OptimizeError::NormalsNeverBalance`],
 /// [`OptimizeError::TorquesNeverBalance`] or [`OptimizeError::ConditionsNeverMet`] when three
 /// frictionless fingers cannot hold the part so; [`OptimizeError::NothingFound`] when the search
-/// was stopped before; [`OptimizeError::NowhereToTouch`], [`OptimizeError::TooManyStretches`];
+/// was stopped before; [`OptimizeError::NowhereToTouch`]; [`OptimizeError::TooThin`] and
 /// [`OptimizeError::OutOfRange`] when the numbers of the best placement overflow.
 pub fn three_fingers(
     part: &Part,

@@ -6,6 +6,7 @@ use clench_screw::planar::{cross, quarter_turn};
 use super::ThreeFingers;
 use super::bound::{Demand, Middle, Piece, Pieces, Range, Verdict, is_excluded};
 use super::closed_form::Convex;
+use super::rating::PUSHING;
 use super::scene::{PARALLEL, Scene, Support};
 use super::search::{Candidate, Floor, Problem, Settled, below};
 use crate::{OptimizeError, Placement, Solution};
@@ -143,7 +144,8 @@ impl<'a> TripletSearch<'a> {
         }
         let springs = Middle::new(node.map(|piece| self.springs.range(piece)), demand.translation);
         let translation = springs.largest_translation();
-        if translation <= demand.translation {
+        // Parallel normals hold no translation, up to rounding.
+        if translation <= demand.translation.max(springs.rounding()) {
             return None;
         }
         let middle = Middle::new(node.map(|piece| self.wrenches.range(piece)), 0.0);
@@ -185,16 +187,18 @@ impl<'a> TripletSearch<'a> {
         let solve = |a: f64, b: f64| {
             (quarter_turn(second) * -a + quarter_turn(first) * b) * determinant.recip()
         };
+        let radius = self.triplets.scene.radius;
         let constant = solve(r[3] - p[3], r[3] - q[3]);
         let slope = solve(r[2] - p[2], r[2] - q[2]);
         let most = |b: f64| {
             let turned = constant + slope * b;
             let test = Vector::new([turned[0], turned[1], b, 1.0]);
             let values = lines.map(|line| self.lines.largest_linear(&line, test));
-            values.into_iter().fold(f64::NEG_INFINITY, f64::max)
+            let rounding = ROUNDING * (turned.norm() + (b.abs() + 1.0) * radius);
+            values.into_iter().fold(f64::NEG_INFINITY, f64::max) + rounding
         };
-        if determinant == 0.0 {
-            return self.triplets.scene.radius;
+        if !(constant.is_finite() && slope.is_finite()) {
+            return radius;
         }
         // Convex in b: narrowed from both sides.
         let (mut low, mut high) = (-STEEPEST, STEEPEST);
@@ -209,7 +213,7 @@ impl<'a> TripletSearch<'a> {
                 low += third;
             }
         }
-        least.min(self.triplets.scene.radius) + ROUNDING * self.triplets.scene.radius
+        least.min(radius)
     }
 
     /// No meeting point has a smaller reach.
@@ -293,7 +297,8 @@ impl<'a> Triplet<'a> {
         let total: f64 = sines.iter().sum();
         let spans = sines.iter().all(|s| s * total.signum() > PARALLEL);
         let shares = sines.map(|s| s / total);
-        let shared = shares.iter().all(|share| *share >= least_share);
+        // Normals of short edges are known to some digits only: what they hardly balance is not held.
+        let shared = shares.iter().all(|share| *share >= least_share.max(PUSHING));
         (spans && shared).then_some(Self { scene, supports, shares })
     }
 

@@ -1,8 +1,10 @@
 //! Parts on which faces degenerate: symmetric ones, parallel and nearly parallel edges, widely
 //! different stiffnesses. Each family is held against sampling, and against itself.
 
-use clench_optimize::polygon::{Fingers, Part, fingers, four_fingers_on};
-use clench_optimize::{Effort, OptimizeError, unwatched};
+use clench_optimize::polygon::{
+    Fingers, Objective, Part, ThreeFingers, fingers, four_fingers_on, three_fingers,
+};
+use clench_optimize::{Effort, Ended, OptimizeError, unwatched};
 use clench_screw::planar::Frame;
 use clench_shape::Polygon;
 use clench_testkit::{Random, assert_close};
@@ -244,4 +246,118 @@ fn far_centers_of_compliance_do_not_hide_the_optimum() {
         .quality
         .equivalent();
     assert!(found >= 1.8110e-6, "{found:e}");
+}
+
+/// A rectangle from `(0, 0)` to `(w, h)` whose sides are `pieces` edges each.
+fn divided_rectangle(w: f64, h: f64, pieces: usize, angle: f64) -> Polygon {
+    let ends = [[0.0, 0.0], [w, 0.0], [w, h], [0.0, h], [0.0, 0.0]];
+    let place = |from: [f64; 2], to: [f64; 2], i: usize| {
+        let part = i as f64 / pieces as f64;
+        [from[0] + (to[0] - from[0]) * part, from[1] + (to[1] - from[1]) * part]
+    };
+    let corners: Vec<_> = ends
+        .windows(2)
+        .flat_map(|side| (0..pieces).map(move |i| place(side[0], side[1], i)))
+        .collect();
+    Polygon::new(&turned(&corners, angle)).unwrap()
+}
+
+fn never_held(error: &OptimizeError) -> bool {
+    matches!(
+        error,
+        OptimizeError::NormalsNeverBalance { .. } | OptimizeError::TorquesNeverBalance { .. }
+    )
+}
+
+/// Short edges know their direction to some digits only; what those would balance is not held.
+#[test]
+fn rounded_directions_hold_nothing() {
+    for angle in [0.0, 0.33, 0.56, 1.02] {
+        for pieces in [1, 3, 10] {
+            let part = Part::uniform(divided_rectangle(4.0, 2.0, pieces, angle), 1.0).unwrap();
+            let asked = ThreeFingers::with_preload(1.0);
+            let fault = three_fingers(&part, &asked, &Effort::default(), unwatched).unwrap_err();
+            assert!(never_held(&fault), "{pieces} {angle}: {fault}");
+            let open = (2 * pieces..3 * pieces).fold(part, |p, edge| p.without_edge(edge).unwrap());
+            for fingers_asked in [Fingers::new(4), Fingers::new(5)] {
+                let effort = Effort { gap: 1e-2, nodes: Some(200_000), ..Effort::default() };
+                let found = fingers(&open, &fingers_asked, &effort, unwatched);
+                let fault = found.map(|o| o.best).unwrap_err();
+                assert!(
+                    never_held(&fault) || matches!(fault, OptimizeError::NothingFound { .. }),
+                    "{pieces} {angle}: {fault}"
+                );
+            }
+        }
+    }
+}
+
+/// Stiff sides beside soft ones round the directions in which forces balance.
+#[test]
+fn three_sides_of_a_rectangle_hold_nothing_however_stiff() {
+    for ratio in [1e3, 1e6, 9e9] {
+        for step in 0..20 {
+            let outline = divided_rectangle(2.0, 1.0, 1, 0.05 + 0.3 * f64::from(step));
+            let part = Part::new(outline, vec![ratio, 1.0, ratio, 1.0]).unwrap();
+            let part = part.without_edge(3).unwrap();
+            let rotation = Objective::Rotation { least_translation: 0.0 };
+            for objective in [Objective::Quality, rotation] {
+                let asked = Fingers { objective, ..Fingers::new(4) };
+                let fault = fingers(&part, &asked, &Effort::default(), unwatched).unwrap_err();
+                assert!(never_held(&fault), "{ratio:e} {step}: {fault}");
+            }
+        }
+    }
+}
+
+/// Combinations that only touch the cone of pushing forces do not keep a search from its end.
+#[test]
+fn searches_that_close_in_come_to_an_end() {
+    let kite = [[0.0, 0.0], [4.0, 0.0], [3.5, 3.0], [0.0, 3.0]];
+    let part = Part::uniform(Polygon::new(&kite).unwrap(), 1.0).unwrap();
+    let effort = Effort { gap: 1e-2, nodes: Some(200_000), ..Effort::default() };
+    let rotation = Objective::Rotation { least_translation: 1.0 };
+    for asked in [
+        Fingers::new(7),
+        Fingers::new(8),
+        Fingers { objective: rotation, ..Fingers::new(5) },
+        Fingers { least_distance: 0.5, ..Fingers::new(6) },
+        Fingers { objective: Objective::WorstPoint, ..Fingers::new(4) },
+    ] {
+        let found = fingers(&part, &asked, &effort, unwatched).unwrap();
+        assert!(matches!(found.certificate.ended, Ended::Gap | Ended::Proved), "{asked:?}");
+        assert!(found.gap() <= 1e-2, "{asked:?}");
+    }
+}
+
+/// Several of the best combinations, each up to the gap, where none is solved exactly.
+#[test]
+fn the_top_combinations_come_to_an_end_where_a_search_closes_in() {
+    let quadrilateral = [[0.0, 0.0], [13.0, 0.0], [9.0, 8.0], [2.0, 6.0]];
+    let part = Part::uniform(Polygon::new(&quadrilateral).unwrap(), 1.0).unwrap();
+    let top = std::num::NonZeroUsize::new(3).unwrap();
+    let effort = Effort { top, gap: 1e-2, nodes: Some(200_000), ..Effort::default() };
+    let found = fingers(&part, &Fingers::new(5), &effort, unwatched).unwrap();
+    assert_eq!(found.certificate.ended, Ended::Gap);
+    let values: Vec<f64> = found.solutions().map(|s| s.objective).collect();
+    assert!(values.len() == 3 && values.windows(2).all(|w| w[0] >= w[1]), "{values:?}");
+}
+
+/// Thinner than rounding can tell: not called free, and not called held.
+#[test]
+fn needles_are_not_judged() {
+    for thinness in [3e-9, 1e-9] {
+        let needle = [[0.0, 0.0], [13.0, 0.0], [9.0, 8.0 * thinness], [2.0, 6.0 * thinness]];
+        for step in 0..10 {
+            let corners = turned(&needle, 0.3 * f64::from(step));
+            let Ok(outline) = Polygon::new(&corners) else { continue };
+            let part = Part::uniform(outline, 1.0).unwrap();
+            let fault =
+                fingers(&part, &Fingers::new(4), &Effort::default(), unwatched).unwrap_err();
+            assert!(
+                matches!(fault, OptimizeError::TooThin { .. } | OptimizeError::OutOfRange { .. }),
+                "{thinness:e} {step}: {fault}"
+            );
+        }
+    }
 }

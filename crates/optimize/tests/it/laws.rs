@@ -3,7 +3,7 @@
 use std::num::NonZeroUsize;
 use std::ops::ControlFlow;
 
-use clench_optimize::polygon::{Fingers, Part, fingers, four_fingers_on};
+use clench_optimize::polygon::{Fingers, Objective, Part, fingers, four_fingers_on};
 use clench_optimize::{Effort, Ended, Outcome, Progress, unwatched};
 use clench_screw::planar::Frame;
 use clench_shape::Polygon;
@@ -25,15 +25,25 @@ fn top(count: usize) -> Effort {
 fn the_outcome_is_the_same_for_any_number_of_threads() {
     let r = &mut Random::new(51);
     let part = part(&r.convex(14), &[1.0; 14]);
-    let outcomes: Vec<_> = [1, 2, 3, 7]
-        .iter()
-        .map(|&threads| {
-            let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
-            pool.install(|| fingers(&part, &Fingers::new(4), &top(5), unwatched).unwrap())
-        })
-        .collect();
-    for outcome in &outcomes {
-        assert_eq!(outcome, &outcomes[0]);
+    let gap = Effort { gap: 1e-3, ..Effort::default() };
+    let stopped = Effort { nodes: Some(200), ..Effort::default() };
+    for (asked, effort) in [
+        (Fingers::new(4), top(5)),
+        (Fingers { least_share: 0.2, least_distance: 0.1, ..Fingers::new(4) }, top(2)),
+        (Fingers { objective: Objective::WorstPoint, ..Fingers::new(4) }, gap),
+        (Fingers::new(5), gap),
+        (Fingers::new(5), stopped),
+    ] {
+        let outcomes: Vec<_> = [1, 2, 3, 7]
+            .iter()
+            .map(|&threads| {
+                let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
+                pool.install(|| fingers(&part, &asked, &effort, unwatched).unwrap())
+            })
+            .collect();
+        for outcome in &outcomes {
+            assert_eq!(outcome, &outcomes[0], "{asked:?}");
+        }
     }
 }
 
@@ -52,6 +62,29 @@ fn units_by_powers_of_four_change_the_optimum_exactly() {
             assert_eq!((q.edge, q.point, q.share), (p.edge, p.point * length, p.share));
         }
         assert_eq!(one.combinations, other.combinations);
+    }
+}
+
+#[test]
+fn units_by_powers_of_four_change_searches_that_close_in_exactly() {
+    let r = &mut Random::new(57);
+    let corners = r.convex(6);
+    let effort = Effort { gap: 1e-3, ..Effort::default() };
+    for asked in [Fingers { objective: Objective::WorstPoint, ..Fingers::new(4) }, Fingers::new(5)]
+    {
+        let found = |length: f64, force: f64| {
+            let scaled: Vec<_> = corners.iter().map(|c| c.map(|x| x * length)).collect();
+            let part = part(&scaled, &[force / length; 6]);
+            fingers(&part, &asked, &effort, unwatched).unwrap()
+        };
+        let one = found(1.0, 1.0);
+        for (length, force) in [(4.0_f64.powi(10), 1.0), (4.0_f64.powi(-12), 16.0)] {
+            let other = found(length, force);
+            let unit = force / length;
+            assert_eq!(other.best.objective, one.best.objective * unit);
+            assert_eq!(other.certificate.upper_bound, one.certificate.upper_bound * unit);
+            assert_eq!(other.combinations, one.combinations);
+        }
     }
 }
 

@@ -1,11 +1,15 @@
 //! Questions without an answer, and parts at the edge of what has one.
 
+use std::ops::ControlFlow;
+use std::time::Duration;
+
 use clench_optimize::polygon::{
-    Fingers, LARGEST_SPREAD, Part, ThreeFingers, fingers, four_fingers_on, three_fingers,
-    three_fingers_on,
+    FEWEST_FINGERS, Fingers, LARGEST_SPREAD, MOST_FINGERS, Objective, Part, Stretch, ThreeFingers,
+    fingers, four_fingers_on, three_fingers, three_fingers_on,
 };
-use clench_optimize::{Effort, OptimizeError, unwatched};
+use clench_optimize::{Effort, Ended, OptimizeError, Outcome, Placement, Progress, unwatched};
 use clench_shape::Polygon;
+use clench_testkit::Random;
 
 const RECTANGLE: [[f64; 2]; 4] = [[0.0, 0.0], [3.0, 0.0], [3.0, 1.0], [0.0, 1.0]];
 
@@ -160,4 +164,133 @@ fn regular_polygons_get_harder_to_hold_with_more_corners() {
     // mu is of the order of the squared half side, (pi / n)^2.
     let ratio = twenty_four.value / forty_eight.value;
     assert!((3.9..4.1).contains(&ratio), "{ratio}");
+}
+
+#[test]
+fn questions_that_make_no_sense_are_refused() {
+    let ask = |asked: Fingers, effort: Effort| {
+        fingers(&rectangle(), &asked, &effort, unwatched).unwrap_err()
+    };
+    let four = Fingers::new(4);
+    for found in [0, 3, 9] {
+        let (fewest, most) = (FEWEST_FINGERS, MOST_FINGERS);
+        let fault = ask(Fingers { count: found, ..four }, Effort::default());
+        assert_eq!(fault, OptimizeError::FingerCount { found, fewest, most });
+    }
+    for value in [-1.0, f64::INFINITY] {
+        let fault = ask(Fingers { least_distance: value, ..four }, Effort::default());
+        assert_eq!(fault, OptimizeError::LeastDistance { value });
+        let objective = Objective::Rotation { least_translation: value };
+        let fault = ask(Fingers { objective, ..four }, Effort::default());
+        assert_eq!(fault, OptimizeError::LeastTranslation { value });
+        let fault = ask(four, Effort { gap: value, ..Effort::default() });
+        assert_eq!(fault, OptimizeError::Gap { value });
+        assert_eq!(rectangle().with_margin(value).unwrap_err(), OptimizeError::Margin { value });
+    }
+    for value in [-0.1, 0.25, 1.0] {
+        let fault = ask(Fingers { least_share: value, ..four }, Effort::default());
+        assert_eq!(fault, OptimizeError::LeastShare { value, limit: 0.25 });
+    }
+    let asked = ThreeFingers { least_share: 0.5, ..ThreeFingers::with_preload(1.0) };
+    let fault = three_fingers(&rectangle(), &asked, &Effort::default(), unwatched).unwrap_err();
+    assert_eq!(fault, OptimizeError::LeastShare { value: 0.5, limit: 1.0 / 3.0 });
+    let fault = rectangle().without_edge(4).unwrap_err();
+    assert_eq!(fault, OptimizeError::NoSuchEdge { edge: 4, last: 3 });
+    let (edge, from, to) = (1, 0.5, 0.5);
+    let fault = rectangle().without(Stretch { edge, from, to }).unwrap_err();
+    assert_eq!(fault, OptimizeError::Stretch { edge, from, to });
+    let fault = ask(Fingers { least_share: f64::NAN, ..four }, Effort::default());
+    assert!(matches!(fault, OptimizeError::LeastShare { value, .. } if value.is_nan()));
+}
+
+#[test]
+fn a_part_that_may_be_touched_nowhere_has_no_answer() {
+    // Half of the shorter side is the longer margin that leaves something.
+    let part = rectangle().with_margin(1.5).unwrap();
+    assert!(part.stretches().is_empty());
+    let fault = fingers(&part, &Fingers::new(4), &Effort::default(), unwatched).unwrap_err();
+    assert_eq!(fault, OptimizeError::NowhereToTouch);
+    let asked = ThreeFingers::with_preload(1.0);
+    let fault = three_fingers(&part, &asked, &Effort::default(), unwatched).unwrap_err();
+    assert_eq!(fault, OptimizeError::NowhereToTouch);
+}
+
+/// On a rectangle `sigma_min` is at most 2 with four fingers of stiffness 1.
+#[test]
+fn conditions_that_cannot_be_met_are_told_from_parts_that_cannot_be_held() {
+    let objective = Objective::Rotation { least_translation: 2.1 };
+    let asked = Fingers { objective, ..Fingers::new(4) };
+    let fault = fingers(&rectangle(), &asked, &Effort::default(), unwatched).unwrap_err();
+    assert_eq!(fault, OptimizeError::ConditionsNeverMet { fingers: 4, combinations: 35.0 });
+}
+
+#[test]
+fn conditions_cost_quality_until_nothing_fits() {
+    let quality = |asked: Fingers| {
+        let corners = [[0.0, 0.0], [3.0, 0.0], [2.5, 1.0], [0.0, 1.0]];
+        let slanted = Part::uniform(Polygon::new(&corners).unwrap(), 1.0).unwrap();
+        let found = fingers(&slanted, &asked, &Effort::default(), unwatched)?;
+        assert_eq!(found.certificate.ended, Ended::Proved);
+        let distance = |p: &Placement, q: &Placement| (p.point - q.point).norm();
+        for (i, p) in found.best.placements.iter().enumerate() {
+            assert!(p.share >= asked.least_share - 1e-12);
+            for q in &found.best.placements[..i] {
+                let near = p.edge == q.edge && distance(p, q) < asked.least_distance - 1e-12;
+                assert!(!near, "{:?}", found.best.placements);
+            }
+        }
+        Ok::<f64, OptimizeError>(found.best.objective)
+    };
+    let free = quality(Fingers::new(4)).unwrap();
+    let shared = quality(Fingers { least_share: 0.2, ..Fingers::new(4) }).unwrap();
+    let apart = quality(Fingers { least_distance: 2.0, ..Fingers::new(4) }).unwrap();
+    assert!(shared < free && apart <= free, "{free} {shared} {apart}");
+    // 3.5 apart no edge has room for two, and one on each of four edges is left.
+    let alone = quality(Fingers { least_distance: 3.5, ..Fingers::new(4) }).unwrap();
+    assert!(alone <= apart, "{alone} {apart}");
+}
+
+/// However a search ends, no placement is above its bound, and its best is one.
+#[test]
+fn a_stopped_search_has_a_bound_that_holds() {
+    let r = &mut Random::new(81);
+    let part = Part::uniform(Polygon::new(&r.star(40)).unwrap(), 1.0).unwrap();
+    let four = Fingers::new(4);
+    let proved = fingers(&part, &four, &Effort::default(), unwatched).unwrap();
+    let optimum = proved.best.objective;
+    assert_eq!(proved.certificate.ended, Ended::Proved);
+    assert!(proved.gap() <= 1e-12);
+    let check = |outcome: Outcome, ended: Ended| {
+        assert_eq!(outcome.certificate.ended, ended);
+        let (best, bound) = (outcome.best.objective, outcome.certificate.upper_bound);
+        assert!(best <= optimum * (1.0 + 1e-12) && bound >= optimum * (1.0 - 1e-12));
+        outcome.gap()
+    };
+    let effort = |gap, nodes| Effort { gap, nodes, ..Effort::default() };
+    let ask = |effort: Effort| fingers(&part, &four, &effort, unwatched).unwrap();
+    assert!(check(ask(effort(0.1, None)), Ended::Gap) <= 0.1);
+    let few = check(ask(effort(0.0, Some(50))), Ended::Nodes);
+    let more = check(ask(effort(0.0, Some(1000))), Ended::Nodes);
+    assert!(few >= more && more > 0.0, "{few} {more}");
+    let at_once = Effort { time: Some(Duration::ZERO), ..Effort::default() };
+    check(ask(at_once), Ended::Time);
+    let stop = |p: &Progress| {
+        if p.nodes > 100 { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+    };
+    let cancelled = fingers(&part, &four, &Effort::default(), stop).unwrap();
+    check(cancelled, Ended::Cancelled);
+}
+
+/// A condition so narrow that no trial meets it: stopped at once, nothing is known but a bound.
+#[test]
+fn a_search_stopped_before_it_found_anything_says_so() {
+    let r = &mut Random::new(82);
+    let part = Part::uniform(Polygon::new(&r.convex(40)).unwrap(), 1.0).unwrap();
+    let asked = Fingers { least_share: 0.249, ..Fingers::new(4) };
+    let effort = Effort { nodes: Some(1), ..Effort::default() };
+    let fault = fingers(&part, &asked, &effort, unwatched).unwrap_err();
+    let OptimizeError::NothingFound { fingers: 4, ended: Ended::Nodes, upper_bound } = fault else {
+        panic!("{fault}");
+    };
+    assert!(upper_bound > 0.0);
 }

@@ -78,7 +78,12 @@ impl<const K: usize> Balance<K> {
                 }
             }
         }
-        (mean.norm_squared() > 0.0).then_some(mean)
+        if mean == Vector::ZERO {
+            // Fewer than three different wrenches: what they have in common helps them.
+            let unit = wrenches.iter().filter_map(|w| w.direction());
+            mean = unit.fold(Vector::ZERO, |sum, w| sum + w);
+        }
+        (mean != Vector::ZERO).then_some(mean)
     }
 }
 

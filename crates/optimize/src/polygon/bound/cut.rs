@@ -103,7 +103,7 @@ impl<const K: usize> Cut<K> {
         let shift = gram.solve(force) - about * spin;
         // For a deflection of 1.
         let twist = Vector::new([shift[0], shift[1], spin]) * deflection.recip();
-        let farthest = scene.radius * (1.0 + twist[2].abs()) + shift.norm() / deflection;
+        let farthest = scene.radius * twist[2].abs() + shift.norm() / deflection;
         let stiffness: f64 = wrenches.iter().map(|&p| arm(p).norm_squared()).sum();
         Some(Self {
             form: Mat::outer(twist, twist),
@@ -172,7 +172,7 @@ impl<const K: usize> Cut<K> {
 pub(crate) fn slack<const K: usize>(middle: &Middle<K>, demand: &Demand, cut: &Cut<K>) -> f64 {
     let q = demand.rotation;
     let off = (middle.apply(cut.y) - (middle.about * cut.turning - cut.corner) * q).norm()
-        + 0.5 * middle.spread * cut.y.norm();
+        + 0.5 * middle.spread() * cut.y.norm();
     if off > 0.0 { off * off / (cut.turning * (demand.translation + q)) } else { 0.0 }
 }
 

@@ -17,8 +17,9 @@ pub(crate) struct Middle<const K: usize> {
     /// `H = sum of arm arm^T`, has the eigenvalues `trace +- |turn|`.
     turn: Vector<2>,
     pub(crate) trace: f64,
-    /// How far `2 H` can be from its middle, in the spectral norm.
-    pub(crate) spread: f64,
+    /// How far the turn, and the trace, can be from their middles.
+    turn_spread: f64,
+    trace_spread: f64,
     /// Added to `H` where it is nearly singular.
     shift: f64,
     /// The point about which twists and moments are taken: near the centers of compliance.
@@ -27,31 +28,44 @@ pub(crate) struct Middle<const K: usize> {
 
 impl<const K: usize> Middle<K> {
     pub(crate) fn new(ranges: [Range<3>; K], softest: f64) -> Self {
-        let (mut turn, mut trace, mut spread) = (Vector::ZERO, 0.0, 0.0);
+        let (mut turn, mut trace) = (Vector::ZERO, 0.0);
+        let (mut turn_spread, mut trace_spread) = (0.0, 0.0);
         let mut first = Vector::ZERO;
         for w in &ranges {
             turn += w.turn;
             trace += w.stiffness;
-            spread += w.turn_radius + w.stiffness_spread;
+            turn_spread += w.turn_radius;
+            trace_spread += w.stiffness_spread;
             first += arm(w.center) * w.center[2];
         }
         let least = 0.5 * (trace - turn.norm());
         let shift = (softest.max(SOFTEST * trace) - least).max(0.0);
-        let mut middle = Self { ranges, turn, trace, spread, shift, about: Vector::ZERO };
+        let about = Vector::ZERO;
+        let mut middle = Self { ranges, turn, trace, turn_spread, trace_spread, shift, about };
         middle.about = middle.solve(first);
         middle
+    }
+
+    /// How far `2 H` can be from its middle, in the spectral norm.
+    pub(super) fn spread(&self) -> f64 {
+        self.turn_spread + self.trace_spread
     }
 
     /// No placement has a larger `sigma_min`: that is half of `sum of k` minus the length of the
     /// sum of the double-angle vectors, and each of these is in its disc.
     pub(crate) fn largest_translation(&self) -> f64 {
-        let sure = (self.turn.norm() - self.spread).max(0.0);
-        0.5 * (self.trace + self.spread - sure) + ROUNDING * self.trace
+        let sure = (self.turn.norm() - self.turn_spread).max(0.0);
+        0.5 * (self.trace + self.trace_spread - sure) + ROUNDING * self.trace
+    }
+
+    /// A `sigma_min` of less is none, up to rounding.
+    pub(crate) fn rounding(&self) -> f64 {
+        4.0 * ROUNDING * self.trace
     }
 
     /// No placement has a smaller `sigma_min`.
     pub(crate) fn least_translation(&self) -> f64 {
-        0.5 * (self.trace - self.spread - self.turn.norm())
+        0.5 * (self.trace - self.spread() - self.turn.norm())
     }
 
     /// `H v` in the middle.

@@ -18,7 +18,7 @@ pub(crate) use demand::{Demand, Verdict};
 pub(crate) use middle::Middle;
 #[cfg(test)]
 pub(crate) use pieces::value;
-pub(crate) use pieces::{MOST_STRETCHES, Piece, Pieces, Range};
+pub(crate) use pieces::{Piece, Pieces, Range};
 pub(crate) use relaxation::Relaxation;
 
 /// Bounds and their tests are rounded by this many units times the sizes that they are made of.

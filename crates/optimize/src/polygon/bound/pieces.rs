@@ -1,7 +1,7 @@
 //! Pieces of the boundary: a binary tree over its stretches, with a box of wrenches for each run.
 #![allow(
     clippy::cast_possible_truncation,
-    reason = "fewer groups than twice the stretches, and those are in memory"
+    reason = "there are fewer than twice as many groups as stretches, which are in memory"
 )]
 
 use clench_screw::{Mat, SymmetricEigen, Vector};
@@ -19,10 +19,7 @@ const SCAN_LIMIT: usize = 8;
 const DEEPEST: u32 = PART_BITS - 1;
 
 /// The bits of a piece that tell the part of its stretch; the others tell the group.
-const PART_BITS: u32 = 40;
-
-/// The largest number of stretches whose groups can be told apart.
-pub(crate) const MOST_STRETCHES: usize = 1 << (63 - PART_BITS);
+const PART_BITS: u32 = 32;
 
 /// A group of stretches with like wrenches, or a dyadic part of a single one: 1 is the whole, `2 i`
 /// and `2 i + 1` are the halves of part `i`.

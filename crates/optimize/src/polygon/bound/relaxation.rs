@@ -167,7 +167,7 @@ impl Relaxation<'_> {
 
     /// The piece whose extent raises the bound most.
     fn split<const K: usize>(&self, middle: &Middle<K>, demand: &Demand, cut: &Cut<K>) -> usize {
-        let slack = 2.0 * slack(middle, demand, cut) / middle.spread;
+        let slack = 2.0 * slack(middle, demand, cut) / middle.spread();
         // Over few stretches nothing need be as large as in the middle of their box.
         let mut most = (0, f64::NEG_INFINITY);
         for (i, w) in middle.ranges.iter().enumerate() {
@@ -176,7 +176,7 @@ impl Relaxation<'_> {
             }
             let mut rise = self.pieces.largest(w, &cut.form, cut.linear[i])
                 - value(&cut.form, cut.linear[i], w.center);
-            if middle.spread > 0.0 {
+            if middle.spread() > 0.0 {
                 rise += slack * (w.turn_radius + w.stiffness_spread);
             }
             if rise > most.1 {

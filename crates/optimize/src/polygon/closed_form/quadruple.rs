@@ -8,6 +8,7 @@ use clench_screw::{Cholesky, Mat, Vector};
 use super::convex::Convex;
 use super::ratio::stationary;
 use crate::polygon::Fingers;
+use crate::polygon::rating::PUSHING;
 use crate::polygon::scene::{Scene, Support};
 
 /// Rows of `Z` are rounded by a few units of 1, whatever their own size, so a product of two of
@@ -95,6 +96,8 @@ pub(crate) struct Quadruple<'a> {
     /// Normals of the two sides of the cone in which all contact forces push, and have their least
     /// share.
     cone: [Vector<2>; 2],
+    /// The same for the cone in which all push by more than rounding.
+    inner: [Vector<2>; 2],
     /// Whether two fingers share a stretch; their exchange turns one cone into the other.
     exchangeable: bool,
     /// Two fingers on one edge that have to keep a distance.
@@ -113,7 +116,9 @@ impl<'a> Quadruple<'a> {
         let supports = stretches.map(|e| &scene.supports[e]);
         let scaled = supports.map(|s| s.normal * s.weight);
         let null = null_space(&scaled);
-        let cone = pushing_cone(&null, supports.map(|s| s.weight), fingers.least_share)?;
+        let weights = supports.map(|s| s.weight);
+        let inner = pushing_cone(&null, weights, fingers.least_share.max(PUSHING))?;
+        let cone = pushing_cone(&null, weights, fingers.least_share)?;
         let gram = scaled.iter().fold(Mat::<2, 2>::ZERO, |sum, &n| sum + Mat::outer(n, n));
         let gram = Cholesky::new(&gram).ok()?;
         // d = J (N N^T)^-1 N s is linear in s, so its range is a box about its middle.
@@ -131,6 +136,7 @@ impl<'a> Quadruple<'a> {
             null,
             per_moment,
             cone,
+            inner,
             exchangeable,
             neighbors: neighbors(&supports, &null, cone, fingers.least_distance),
             window_center,
@@ -185,8 +191,8 @@ impl<'a> Quadruple<'a> {
         let generators = std::array::from_fn(|i| self.null[i] * half(i));
         let extent: f64 = generators.iter().map(|g: &Vector<2>| g.norm()).sum();
         let mut common = Convex::zonogon(middle, generators)
-            .cut(self.cone[0] * -sign, 0.0)
-            .cut(self.cone[1] * -sign, 0.0);
+            .cut(self.inner[0] * -sign, 0.0)
+            .cut(self.inner[1] * -sign, 0.0);
         if let Some(Neighbors { difference, least, .. }) = self.neighbors {
             common = common.cut(difference * -sign, -least);
         }

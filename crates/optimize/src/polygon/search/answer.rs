@@ -5,6 +5,10 @@ use super::leaders::Candidate;
 use crate::polygon::scene::Scene;
 use crate::{Certificate, Combinations, Ended, OptimizeError, Outcome, Solution};
 
+/// Where all normals are parallel up to this, `sigma_min`, of the order of its square, is lost in the
+/// rounding of the stiffnesses.
+const THIN: f64 = 1e-7;
+
 /// What a search was about, beside its problem.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Matter {
@@ -51,7 +55,10 @@ fn nothing(scene: &Scene, matter: Matter, ended: Ended, upper_bound: f64) -> Opt
     if ended != Ended::Proved {
         return OptimizeError::NothingFound { fingers, ended, upper_bound };
     }
-    if !scene.normals_balance(fingers) {
+    let sine = scene.largest_sine();
+    if sine > 0.0 && sine <= THIN {
+        OptimizeError::TooThin { fingers, sine }
+    } else if !scene.normals_balance(fingers) {
         OptimizeError::NormalsNeverBalance { fingers, combinations }
     } else if conditions {
         OptimizeError::ConditionsNeverMet { fingers, combinations }

@@ -1,9 +1,11 @@
 //! Each cut is fulfilled by all placements that meet its demand.
 
 use clench_screw::Vector;
+use clench_screw::spatial::cross;
 use clench_shape::Polygon;
 use clench_testkit::Random;
 
+use super::node;
 use crate::polygon::bound::{Cut, Demand, Middle, Piece, closure_cuts, slack, value};
 use crate::polygon::rating::{Spot, moments, rate};
 use crate::polygon::scene::Scene;
@@ -81,4 +83,46 @@ fn placements_fulfill_the_cuts_of_their_own_quality_and_need_the_slack() {
     }
     // Half of the slack would exclude some.
     assert!(needed > 100 && most > 0.5 && forces > 10, "{needed} {most} {forces}");
+}
+
+/// A linearized balancing force and its slack are at least the force itself, wherever the fingers
+/// are on a node.
+#[test]
+fn cuts_by_closure_are_above_the_forces() {
+    let r = &mut Random::new(77);
+    let mut compared = 0;
+    for _ in 0..2000 {
+        let outline = Polygon::new(&r.star(7)).unwrap();
+        let part = Part::uniform(outline, 1.0).unwrap();
+        let scene = Scene::checked(&part).unwrap();
+        let tree = scene.wrenches();
+        let node: [Piece; 4] = node(r, &tree, true);
+        let middle = Middle::new(node.map(|piece| tree.range(piece)), 0.0);
+        let force = |wrenches: &[Vector<3>; 4], l: usize| {
+            let others: Vec<Vector<3>> = (0..4).filter(|&m| m != l).map(|m| wrenches[m]).collect();
+            let sign = [1.0, -1.0][l % 2];
+            sign * others[0].dot(cross(others[1], others[2])) / scene.radius
+        };
+        let cuts: Vec<Cut<4>> = closure_cuts(&middle, scene.radius, 0.0).collect();
+        if cuts.is_empty() {
+            continue;
+        }
+        // All forces are taken with one sign; a node may be sure of either.
+        let mut least = [f64::INFINITY; 2];
+        for (l, cut) in cuts.iter().enumerate() {
+            for _ in 0..20 {
+                let wrenches = middle.ranges.map(|range| {
+                    let corner = range.axes.map(|axis| axis * [1.0, -1.0][r.below(2)]);
+                    corner.iter().fold(range.center, |sum, &axis| sum + axis)
+                });
+                for (least, sign) in least.iter_mut().zip([1.0, -1.0]) {
+                    let above = |w: &_| left(cut, w) + cut.slack - sign * force(w, l);
+                    *least = least.min(above(&wrenches) + 1e-12 * cut.size);
+                }
+                compared += 1;
+            }
+        }
+        assert!(least[0] >= 0.0 || least[1] >= 0.0, "{least:?}");
+    }
+    assert!(compared > 5000, "{compared}");
 }
