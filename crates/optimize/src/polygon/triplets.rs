@@ -297,7 +297,7 @@ impl<'a> Triplet<'a> {
         let total: f64 = sines.iter().sum();
         let spans = sines.iter().all(|s| s * total.signum() > PARALLEL);
         let shares = sines.map(|s| s / total);
-        // Normals of short edges are known to some digits only: what they hardly balance is not held.
+        // Normals of short edges are known to some digits only: what hardly balances does not.
         let shared = shares.iter().all(|share| *share >= least_share.max(PUSHING));
         (spans && shared).then_some(Self { scene, supports, shares })
     }

@@ -5,8 +5,8 @@ use super::leaders::Candidate;
 use crate::polygon::scene::Scene;
 use crate::{Certificate, Combinations, Ended, OptimizeError, Outcome, Solution};
 
-/// Where all normals are parallel up to this, `sigma_min`, of the order of its square, is lost in the
-/// rounding of the stiffnesses.
+/// Where all normals are parallel up to this, `sigma_min`, of the order of its square, is lost in
+/// the rounding of the stiffnesses.
 const THIN: f64 = 1e-7;
 
 /// What a search was about, beside its problem.
