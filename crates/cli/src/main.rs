@@ -61,19 +61,26 @@ fn main() -> ExitCode {
     }
 }
 
-/// Draws the picture, writes it, then the report.
+/// Draws the picture, writes the report, then the picture: a file that cannot be written must not
+/// cost the answer.
 fn finish(
     answer: Result<Answer, Failure>,
     input: &Path,
     output: &OutputArguments,
 ) -> Result<Answer, Failure> {
     let answer = answer?;
-    if let Some(path) = &output.svg {
-        output::check_apart(path, input)?;
-        let picture = answer.picture.as_ref().ok_or(Failure::SolidPicture)?;
-        output::write_file(path, &picture.figure()?.to_svg())?;
-    }
+    let picture = match &output.svg {
+        None => None,
+        Some(path) => {
+            output::check_apart(path, input)?;
+            let picture = answer.picture.as_ref().ok_or(Failure::SolidPicture)?;
+            Some((path, picture.figure()?.to_svg()))
+        }
+    };
     output::write_report(&answer.report)?;
+    if let Some((path, picture)) = picture {
+        output::write_file(path, &picture)?;
+    }
     Ok(answer)
 }
 

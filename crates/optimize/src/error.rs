@@ -78,6 +78,12 @@ pub enum OptimizeError {
         /// [`crate::polygon::MOST_FINGERS`].
         most: usize,
     },
+    /// The worst-point stiffness was asked for on given edges.
+    #[error(
+        "the best worst-point stiffness on given edges has no closed form: ask for it on the \
+         whole part"
+    )]
+    NoClosedForm,
     /// The least distance of fingers is negative or not finite.
     #[error("the least distance is {value}, but has to be a finite number, zero or positive")]
     LeastDistance {

@@ -23,7 +23,7 @@ const SYSTEM_PYTHON: &str = "python3";
 const OWN_PYTHON: &str = if cfg!(windows) { "Scripts/python.exe" } else { "bin/python" };
 
 /// What the scripts import.
-const PACKAGES: [&str; 2] = ["numpy", "pyscipopt"];
+const PACKAGES: [&str; 2] = ["numpy==2.4.6", "pyscipopt==6.3.0"];
 
 /// A script of this folder.
 #[derive(Clone, Copy, Debug)]

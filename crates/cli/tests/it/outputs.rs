@@ -31,7 +31,7 @@ fn the_picture_shows_fingers_corners_and_numbers() {
 }
 
 #[test]
-fn a_picture_that_cannot_be_written_leaves_what_is_there() {
+fn a_picture_that_cannot_be_written_leaves_what_is_there_and_the_report() {
     let folder = quadrilateral("unwritable");
     folder.write("old.svg", "old");
     let mut locked = fs::metadata(folder.path("old.svg")).unwrap().permissions();
@@ -45,7 +45,9 @@ fn a_picture_that_cannot_be_written_leaves_what_is_there() {
         ("part.toml", "part.toml: is the input file"),
     ] {
         let ran = folder.run(&format!("optimize part.toml --fingers 4 --svg {path}"));
-        assert_eq!((ran.code, ran.out.as_str()), (Some(1), ""), "{path}");
+        // A search may have taken long: its answer is not lost.
+        let reported = ran.out.contains("Q = 1.68377");
+        assert_eq!((ran.code, reported), (Some(1), path != "part.toml"), "{path}");
         assert!(ran.err.contains(piece), "{piece}: {}", ran.err);
     }
     assert_eq!(fs::read_to_string(folder.path("old.svg")).unwrap(), "old");

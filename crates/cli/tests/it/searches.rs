@@ -75,7 +75,7 @@ fn a_search_that_is_stopped_has_a_bound_that_holds() {
 
 #[test]
 fn a_gap_is_what_others_may_be_better_by() {
-    let folder = round("gap", 24, OVAL);
+    let folder = round("gap", 25, [12.0, 8.0]);
     let (best, _) = certificate(&folder.json("optimize part.toml --fingers 4"), true, "proved");
     let question = "optimize part.toml --fingers 4 --gap 0.2";
     let report = folder.json(question);

@@ -3,8 +3,9 @@
 use std::ops::ControlFlow;
 
 use super::Part;
+use super::bound::Floor;
 use super::scene::Scene;
-use super::search::{Floor, Leaders, Matter, choose, outcome, search};
+use super::search::{Leaders, Matter, choose, outcome, search};
 use super::springs::{SpringSearch, Springs};
 use crate::{Effort, OptimizeError, Outcome, Progress, Solution};
 
@@ -37,7 +38,8 @@ pub struct Fingers {
     pub count: usize,
     /// What is maximized.
     pub objective: Objective,
-    /// The least distance of two fingers on one edge (length), such as twice their radius.
+    /// The least distance of two fingers on one edge (length), such as twice their radius. Fingers
+    /// on both sides of a corner may be nearer, also where the edges are in line.
     pub least_distance: f64,
     /// The least share of the total preload that each finger has when the forces balance; below
     /// one part in `count`. 0 takes in the limits where some fingers barely press.
@@ -135,7 +137,8 @@ fn best<const K: usize>(
     leaders.merge(springs.first::<K>());
     let searched = search(&SpringSearch::new(springs), leaders, effort, watch);
     let combinations = choose(scene.supports.len(), K, true);
-    let matter = Matter { fingers: K, combinations, conditions: fingers.has_conditions() };
+    let conditions = fingers.has_conditions() || part.is_restricted();
+    let matter = Matter { fingers: K, combinations, conditions };
     outcome(&scene, matter, &searched, |candidate| springs.solution(candidate))
 }
 
@@ -145,13 +148,21 @@ fn best<const K: usize>(
 ///
 /// # Errors
 ///
-/// [`OptimizeError::NoSuchEdge`], and those of [`fingers`].
+/// [`OptimizeError::FingerCount`] for another count than four, [`OptimizeError::NoClosedForm`] for
+/// the worst-point stiffness, [`OptimizeError::NoSuchEdge`], and those of [`fingers`] about the
+/// question.
 pub fn four_fingers_on(
     part: &Part,
     edges: [usize; 4],
     fingers: &Fingers,
 ) -> Result<Option<Solution>, OptimizeError> {
     fingers.checked()?;
+    if fingers.count != 4 {
+        return Err(OptimizeError::FingerCount { found: fingers.count, fewest: 4, most: 4 });
+    }
+    if fingers.objective == Objective::WorstPoint {
+        return Err(OptimizeError::NoClosedForm);
+    }
     let edges = part.checked(edges)?;
     let scene = Scene::checked(part)?;
     let springs = Springs { scene: &scene, fingers };

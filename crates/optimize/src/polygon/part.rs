@@ -151,6 +151,14 @@ impl Part {
         &self.stretches
     }
 
+    /// Whether some of the boundary may not be touched.
+    pub(super) fn is_restricted(&self) -> bool {
+        let whole = |s: &Stretch, length: f64| s.from <= 0.0 && s.to >= length;
+        let edges = self.outline.edges();
+        let whole = self.stretches.iter().filter(|s| whole(s, edges[s.edge].length())).count();
+        whole < edges.len()
+    }
+
     /// `edges` in ascending order, if they all exist.
     pub(super) fn checked<const K: usize>(
         &self,

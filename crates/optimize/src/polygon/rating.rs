@@ -3,12 +3,9 @@
 use clench_screw::spatial::cross;
 use clench_screw::{Mat, Vector};
 
-use super::scene::{Scene, largest_value};
+use super::bound::NO_TRANSLATION;
+use super::scene::{Scene, Support, largest_value};
 use super::{Fingers, Objective};
-
-/// A center of compliance is told from a free translation where `sigma_min` is more than this many
-/// units of rounding of the stiffnesses.
-const FREE: f64 = 64.0 * f64::EPSILON;
 
 /// Distances may fall short by this many units of rounding of the moments.
 pub(super) const DISTANCE_ROUNDING: f64 = 64.0 * f64::EPSILON;
@@ -32,7 +29,7 @@ pub(super) struct Spot {
 pub(super) struct Rating {
     pub(super) sigma_min: f64,
     pub(super) equivalent: f64,
-    /// `Q_pt`; only where it is the objective.
+    /// `Q_pt` where it is the objective, else no less than it.
     pub(super) worst_point: f64,
 }
 
@@ -46,12 +43,14 @@ pub(super) fn moments<const K: usize>(scene: &Scene, spots: &[Spot; K]) -> [f64;
 }
 
 /// The rating of fingers on `stretches` with these scaled moments; `None` where they do not
-/// balance with all shares above the least one, or are too near to each other.
+/// balance with all shares above the least one, or are too near to each other, or where
+/// `sigma_min` and `mu_eq` already say that it is not `wanted`.
 pub(super) fn rate<const K: usize>(
     scene: &Scene,
     fingers: &Fingers,
     stretches: &[usize; K],
     moments: &[f64; K],
+    wanted: impl Fn(&Rating) -> bool,
 ) -> Option<Rating> {
     let supports = stretches.map(|s| &scene.supports[s]);
     let (mut xx, mut xy, mut yy, mut first) = (0.0, 0.0, 0.0, Vector::<2>::ZERO);
@@ -64,7 +63,7 @@ pub(super) fn rate<const K: usize>(
     }
     let sigma_min = scene.sigma_min(stretches);
     let sum = xx + yy;
-    if sigma_min <= FREE * sum {
+    if sigma_min <= NO_TRANSLATION * sum {
         return None;
     }
     // The product of both eigenvalues, so that nothing cancels.
@@ -73,6 +72,12 @@ pub(super) fn rate<const K: usize>(
     let d = Vector::new([yy * first[0] - xy * first[1], xx * first[1] - xy * first[0]])
         * per_determinant;
     let about: [f64; K] = std::array::from_fn(|i| moments[i] - supports[i].arm.dot(d));
+    let mu: f64 = about.iter().map(|m| m * m).sum();
+    let equivalent = mu / (d - scene.farthest(d)).norm_squared();
+    let mut rating = Rating { sigma_min, equivalent, worst_point: sigma_min.min(equivalent) };
+    if !wanted(&rating) {
+        return None;
+    }
     let wrenches: [Vector<3>; K] = std::array::from_fn(|i| {
         let [x, y] = supports[i].arm.to_array();
         Vector::new([x, y, about[i] / scene.radius]) * supports[i].weight.recip()
@@ -81,27 +86,30 @@ pub(super) fn rate<const K: usize>(
     if shares.least - shares.rounding < PUSHING || shares.least < fingers.least_share {
         return None;
     }
-    for i in 0..K {
-        for j in 0..i {
-            if supports[i].edge == supports[j].edge {
-                let least = fingers.least_distance * supports[i].weight;
-                let size = moments[i].abs().max(moments[j].abs());
-                if (moments[i] - moments[j]).abs() < least - DISTANCE_ROUNDING * size {
-                    return None;
-                }
-            }
-        }
+    if fingers.least_distance > 0.0 && is_crowded(fingers.least_distance, &supports, moments) {
+        return None;
     }
-    let mu: f64 = about.iter().map(|m| m * m).sum();
-    let equivalent = mu / (d - scene.farthest(d)).norm_squared();
-    let worst_point = if fingers.objective == Objective::WorstPoint {
+    if fingers.objective == Objective::WorstPoint {
         let compliance = Mat::new([[yy, -xy], [-xy, xx]]) * per_determinant;
         let lever = scene.worst_corner(&compliance, d, mu) - d;
-        largest_value(&(compliance + Mat::outer(lever, lever) * mu.recip())).recip()
-    } else {
-        0.0
+        let largest = largest_value(&(compliance + Mat::outer(lever, lever) * mu.recip()));
+        rating.worst_point = largest.recip();
+    }
+    Some(rating)
+}
+
+/// Whether two fingers on one edge are nearer than `least_distance`.
+fn is_crowded<const K: usize>(
+    least_distance: f64,
+    supports: &[&Support; K],
+    moments: &[f64; K],
+) -> bool {
+    let near = |i: usize, j: usize| {
+        let size = moments[i].abs().max(moments[j].abs());
+        let least = least_distance * supports[i].weight - DISTANCE_ROUNDING * size;
+        supports[i].edge == supports[j].edge && (moments[i] - moments[j]).abs() < least
     };
-    Some(Rating { sigma_min, equivalent, worst_point })
+    (0..K).any(|i| (0..i).any(|j| near(i, j)))
 }
 
 /// A balanced preload.

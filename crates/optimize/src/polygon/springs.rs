@@ -2,13 +2,19 @@
 
 use clench_screw::Vector;
 
-use super::bound::{Demand, Piece, Pieces, Relaxation};
+use super::bound::{Demand, Floor, Piece, Pieces, Relaxation, above, below};
 use super::closed_form::Quadruple;
 use super::rating::{DISTANCE_ROUNDING, PUSHING, Rating, Spot, moments, rate, shares};
 use super::scene::Scene;
-use super::search::{Candidate, Floor, Problem, Settled, above, ascents, below, climb};
+use super::search::{Candidate, Problem, Settled, ascents, climb};
 use super::{Fingers, Objective};
 use crate::{OptimizeError, Placement, Solution};
+
+/// A share below this is rounding of 0.
+const NO_SHARE: f64 = 1e-12;
+
+/// From the middle of a node a first step is this part of its largest piece.
+const PROBE_PART: usize = 4;
 
 /// Spring fingers on a part: what placements are worth, and which is best on four stretches.
 #[derive(Clone, Copy, Debug)]
@@ -23,7 +29,7 @@ pub(super) type Moments<const K: usize> = [f64; K];
 impl Springs<'_> {
     /// Placements to begin with.
     pub(super) fn first<const K: usize>(&self) -> Vec<Candidate<K, Moments<K>>> {
-        let rate = |spots: &[Spot; K]| self.rated(spots).map_or(0.0, |found| found.quality);
+        let rate = |spots: &[Spot; K], floor| self.rated(spots, floor).map(|c| c.quality);
         let tops = ascents(self.scene.supports.len(), rate, !self.is_enumerable::<K>());
         tops.into_iter().filter_map(|(_, spots)| self.candidate(&spots)).collect()
     }
@@ -77,17 +83,23 @@ impl Springs<'_> {
         }
     }
 
-    /// A placement as a candidate, if it holds and fulfills what is asked for.
-    fn rated<const K: usize>(&self, spots: &[Spot; K]) -> Option<Candidate<K, Moments<K>>> {
+    /// A placement as a candidate, if it holds, fulfills what is asked for and has more than a
+    /// quality of `floor`.
+    fn rated<const K: usize>(
+        &self,
+        spots: &[Spot; K],
+        floor: f64,
+    ) -> Option<Candidate<K, Moments<K>>> {
         let mut spots = *spots;
         spots.sort_by_key(|spot| spot.stretch);
         let (stretches, place) = (spots.map(|spot| spot.stretch), moments(self.scene, &spots));
-        let rating = rate(self.scene, self.fingers, &stretches, &place)?;
+        let wanted = |rating: &Rating| self.objectives(rating).0 > floor;
+        let rating = rate(self.scene, self.fingers, &stretches, &place, wanted)?;
         if rating.sigma_min < below(self.least_translation()) {
             return None;
         }
         let (quality, second) = self.objectives(&rating);
-        Some(Candidate { stretches, quality, second, place })
+        (quality > floor).then_some(Candidate { stretches, quality, second, place })
     }
 
     /// The best that is known on the stretches of a placement.
@@ -97,7 +109,7 @@ impl Springs<'_> {
             stretches.sort_unstable();
             self.solve(stretches, &Floor::NONE)
         } else {
-            self.rated(spots)
+            self.rated(spots, 0.0)
         }
     }
 
@@ -157,7 +169,7 @@ impl Springs<'_> {
             edge: supports[i].edge,
             point: points[i],
             inward_normal: supports[i].normal,
-            share: shares[i].max(0.0),
+            share: if shares[i] > NO_SHARE { shares[i] } else { 0.0 },
         };
         let mut placements: Vec<_> = (0..K).map(placement).collect();
         let outline = self.scene.part.outline();
@@ -230,11 +242,11 @@ impl<const K: usize> Problem<K> for SpringSearch<'_> {
         let springs = &self.springs;
         let stretches = node.iter().map(|&piece| self.pieces.stretches(piece).len()).max();
         let spots = node.map(|piece| self.pieces.middle(piece));
-        let rate = |spots: &[Spot; K]| springs.rated(spots).map_or(0.0, |found| found.quality);
-        let from = (rate(&spots), spots);
+        let rate = |spots: &[Spot; K], floor| springs.rated(spots, floor).map(|c| c.quality);
+        let from = (rate(&spots, 0.0).unwrap_or(0.0), spots);
         let fine = !springs.is_enumerable::<K>();
-        let (value, spots) =
-            climb(springs.scene.supports.len(), rate, from, stretches.unwrap_or(1) / 4, fine);
+        let first_step = stretches.unwrap_or(1) / PROBE_PART;
+        let (value, spots) = climb(springs.scene.supports.len(), &rate, from, first_step, fine);
         (value > 0.0).then(|| springs.candidate(&spots)).flatten()
     }
 
@@ -244,7 +256,8 @@ impl<const K: usize> Problem<K> for SpringSearch<'_> {
         if springs.is_enumerable::<K>() {
             return Settled::Solved(springs.solve(stretches, floor));
         }
-        let found = springs.rated(&node.map(|piece| self.pieces.middle(piece)));
+        let spots = node.map(|piece| self.pieces.middle(piece));
+        let found = springs.rated(&spots, below(floor.quality));
         Settled::Open(found.filter(|found| floor.is_exceeded_by(found.quality, found.second)))
     }
 }

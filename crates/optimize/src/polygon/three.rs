@@ -3,8 +3,9 @@
 use std::ops::ControlFlow;
 
 use super::Part;
+use super::bound::Floor;
 use super::scene::Scene;
-use super::search::{Floor, Leaders, Matter, choose, outcome, search};
+use super::search::{Leaders, Matter, choose, outcome, search};
 use super::triplets::{TripletSearch, Triplets};
 use crate::{Effort, OptimizeError, Outcome, Progress, Solution};
 
@@ -77,7 +78,8 @@ pub fn three_fingers(
     leaders.merge(triplets.first());
     let searched = search(&TripletSearch::new(triplets), leaders, effort, watch);
     let combinations = choose(scene.supports.len(), 3, false);
-    let matter = Matter { fingers: 3, combinations, conditions: fingers.least_share > 0.0 };
+    let conditions = fingers.least_share > 0.0 || part.is_restricted();
+    let matter = Matter { fingers: 3, combinations, conditions };
     outcome(&scene, matter, &searched, |candidate| triplets.solution(candidate))
 }
 

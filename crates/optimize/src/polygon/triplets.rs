@@ -4,11 +4,11 @@ use clench_screw::Vector;
 use clench_screw::planar::{cross, quarter_turn};
 
 use super::ThreeFingers;
-use super::bound::{Demand, Middle, Piece, Pieces, Range, Verdict, is_excluded};
+use super::bound::{Demand, Floor, Middle, Piece, Pieces, Range, Verdict, below, is_excluded};
 use super::closed_form::Convex;
 use super::rating::PUSHING;
 use super::scene::{PARALLEL, Scene, Support};
-use super::search::{Candidate, Floor, Problem, Settled, below};
+use super::search::{Candidate, Problem, Settled};
 use crate::{OptimizeError, Placement, Solution};
 
 /// Distances are rounded by this many units of the part's radius.
@@ -55,7 +55,10 @@ impl<'a> Triplets<'a> {
                     .collect();
                 let best = found.iter().map(|c| c.quality).fold(0.0, f64::max);
                 let floor = Floor { quality: best, second: best };
-                for (k, &c) in facing.iter().enumerate().take(MOST_FACING) {
+                // Neighbors on a fine outline are alike.
+                let every = facing.len().div_ceil(MOST_FACING).max(1);
+                let facing: Vec<usize> = facing.into_iter().step_by(every).collect();
+                for (k, &c) in facing.iter().enumerate() {
                     for (l, &b) in facing[..k].iter().enumerate() {
                         found.extend(
                             facing[..l].iter().filter_map(|&a| self.solve([a, b, c], &floor)),
@@ -145,7 +148,7 @@ impl<'a> TripletSearch<'a> {
         let springs = Middle::new(node.map(|piece| self.springs.range(piece)), demand.translation);
         let translation = springs.largest_translation();
         // Parallel normals hold no translation, up to rounding.
-        if translation <= demand.translation.max(springs.rounding()) {
+        if translation <= demand.translation.max(springs.no_translation()) {
             return None;
         }
         let middle = Middle::new(node.map(|piece| self.wrenches.range(piece)), 0.0);

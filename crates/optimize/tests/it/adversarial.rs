@@ -265,7 +265,9 @@ fn divided_rectangle(w: f64, h: f64, pieces: usize, angle: f64) -> Polygon {
 fn never_held(error: &OptimizeError) -> bool {
     matches!(
         error,
-        OptimizeError::NormalsNeverBalance { .. } | OptimizeError::TorquesNeverBalance { .. }
+        OptimizeError::NormalsNeverBalance { .. }
+            | OptimizeError::TorquesNeverBalance { .. }
+            | OptimizeError::ConditionsNeverMet { .. }
     )
 }
 

@@ -97,9 +97,23 @@ fn stiffnesses_of_any_size_but_not_of_any_ratio_are_taken() {
 
 /// So flat that its stiffness across is lost beside the one along: refused, not called free.
 #[test]
-fn a_needle_beyond_rounding_is_out_of_range() {
-    let needle = Polygon::new(&[[0.0, 0.0], [1.0, 0.0], [0.4, 3e-8]]).unwrap();
-    let part = Part::uniform(needle, 1.0).unwrap();
+fn a_needle_beyond_rounding_is_too_thin() {
+    for height in [3e-8, 1e-7] {
+        let needle = Polygon::new(&[[0.0, 0.0], [1.0, 0.0], [0.4, height]]).unwrap();
+        let part = Part::uniform(needle, 1.0).unwrap();
+        for count in [4, 5] {
+            let asked = Fingers::new(count);
+            let fault = fingers(&part, &asked, &Effort::default(), unwatched).unwrap_err();
+            assert!(matches!(fault, OptimizeError::TooThin { .. }), "{height:e}: {fault:?}");
+        }
+    }
+}
+
+/// A rotational stiffness above the largest number.
+#[test]
+fn numbers_that_overflow_are_out_of_range() {
+    let corners = RECTANGLE.map(|c| c.map(|x| x * 1e10));
+    let part = Part::uniform(Polygon::new(&corners).unwrap(), 1e300).unwrap();
     let fault = fingers(&part, &Fingers::new(4), &Effort::default(), unwatched).unwrap_err();
     assert!(matches!(fault, OptimizeError::OutOfRange { .. }), "{fault:?}");
 }
@@ -201,6 +215,18 @@ fn questions_that_make_no_sense_are_refused() {
     assert_eq!(fault, OptimizeError::Stretch { edge, from, to });
     let fault = ask(Fingers { least_share: f64::NAN, ..four }, Effort::default());
     assert!(matches!(fault, OptimizeError::LeastShare { value, .. } if value.is_nan()));
+}
+
+#[test]
+fn given_edges_are_for_four_fingers_and_closed_forms() {
+    let on = |asked: Fingers| four_fingers_on(&rectangle(), [0, 1, 2, 3], &asked);
+    let fault = on(Fingers::new(5)).unwrap_err();
+    assert_eq!(fault, OptimizeError::FingerCount { found: 5, fewest: 4, most: 4 });
+    let worst_point = Fingers { objective: Objective::WorstPoint, ..Fingers::new(4) };
+    assert_eq!(on(worst_point).unwrap_err(), OptimizeError::NoClosedForm);
+    let rotation = Objective::Rotation { least_translation: 1.0 };
+    let found = on(Fingers { objective: rotation, ..Fingers::new(4) }).unwrap().unwrap();
+    assert_eq!(found.objective, found.quality.equivalent());
 }
 
 #[test]

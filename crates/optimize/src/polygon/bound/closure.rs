@@ -95,14 +95,26 @@ pub(crate) fn is_excluded<const K: usize>(
     least_share: f64,
 ) -> bool {
     let balance = Balance::new(middle, radius, least_share);
-    let Some(twist) = balance.helped_twist() else { return false };
+    let pushed = balance.centers.iter().fold(Vector::ZERO, |sum, &p| sum + p);
+    // Normals in a half-plane are told from the translation that helps them all, on large pieces
+    // too, which a twist that turns would not.
+    let translation = Vector::new([pushed[0], pushed[1], 0.0]);
+    [Some(translation), balance.helped_twist()]
+        .into_iter()
+        .flatten()
+        .any(|twist| helps_all(middle, &balance, twist))
+}
+
+/// Whether forces that fingers on the node can have all help `twist`.
+fn helps_all<const K: usize>(middle: &Middle<K>, balance: &Balance<K>, twist: Vector<3>) -> bool {
     let (mut sum, mut least, mut size) = (0.0, f64::INFINITY, 0.0);
     for (i, w) in middle.ranges.iter().enumerate() {
         let linear = balance.unscaled(i, twist);
         let power = w.center.dot(linear) - w.spread(linear);
         sum += power;
         least = least.min(power);
-        size += balance.centers[i].norm() + balance.extents[i] + balance.about.norm() / radius;
+        let far = balance.about.norm() / balance.radius;
+        size += balance.centers[i].norm() + balance.extents[i] + far;
     }
     let shared = balance.least_share;
     let worst = shared * sum + (1.0 - K as f64 * shared) * least;

@@ -59,6 +59,19 @@ impl<const K: usize> Cut<K> {
         }
     }
 
+    /// `sum of s^2 >= mu >= q reach^2`, with the geometric center as any point, and the reach at
+    /// least the radius: all that there is to say of nearly round outlines.
+    pub(crate) fn about_center(scene: &Scene, middle: &Middle<K>, demand: &Demand) -> Self {
+        let spin = Vector::new([0.0, 0.0, 1.0]);
+        Self {
+            form: Mat::outer(spin, spin),
+            constant: demand.rotation * scene.radius_squared,
+            size: middle.trace * scene.radius_squared,
+            gain: scene.radius_squared,
+            ..Self::NONE
+        }
+    }
+
     /// `arm . H arm >= sigma_min`, for the softest direction in the middle.
     pub(crate) fn by_translation(middle: &Middle<K>, demand: &Demand) -> Self {
         let [x, y] = middle.softest().to_array();

@@ -3,7 +3,7 @@
 use clench_screw::{Mat, SymmetricEigen, Vector};
 
 use super::pieces::Range;
-use super::{ROUNDING, arm};
+use super::{NO_TRANSLATION, ROUNDING, arm};
 
 /// The middle of a node is made as stiff against translation as this part of its stiffnesses, where
 /// it is softer: no more than a choice of test forms.
@@ -58,9 +58,9 @@ impl<const K: usize> Middle<K> {
         0.5 * (self.trace + self.trace_spread - sure) + ROUNDING * self.trace
     }
 
-    /// A `sigma_min` of less is none, up to rounding.
-    pub(crate) fn rounding(&self) -> f64 {
-        4.0 * ROUNDING * self.trace
+    /// A `sigma_min` of less is none, up to rounding, of all placements.
+    pub(crate) fn no_translation(&self) -> f64 {
+        NO_TRANSLATION * (self.trace - self.trace_spread)
     }
 
     /// No placement has a smaller `sigma_min`.

@@ -3,6 +3,7 @@
 mod closure;
 mod cut;
 mod demand;
+mod floor;
 mod middle;
 mod pieces;
 mod relaxation;
@@ -15,6 +16,7 @@ pub(crate) use closure::is_excluded;
 #[cfg(test)]
 pub(crate) use cut::{Cut, slack};
 pub(crate) use demand::{Demand, Verdict};
+pub(crate) use floor::{Floor, above, below};
 pub(crate) use middle::Middle;
 #[cfg(test)]
 pub(crate) use pieces::value;
@@ -23,6 +25,9 @@ pub(crate) use relaxation::Relaxation;
 
 /// Bounds and their tests are rounded by this many units times the sizes that they are made of.
 const ROUNDING: f64 = 64.0 * f64::EPSILON;
+
+/// A `sigma_min` of this part of the stiffnesses is rounding: that of a bound, and as much again.
+pub(crate) const NO_TRANSLATION: f64 = 4.0 * ROUNDING;
 
 /// The first two components of a scaled wrench.
 fn arm(p: Vector<3>) -> Vector<2> {

@@ -33,10 +33,15 @@ impl Relaxation<'_> {
     ) -> Option<Verdict> {
         let middle = Middle::new(node.map(|piece| self.pieces.range(piece)), demand.translation);
         let translation = middle.largest_translation();
-        if translation <= demand.translation {
+        if translation <= demand.translation.max(middle.no_translation()) {
             return None;
         }
         if closure::is_excluded(&middle, self.scene.radius, self.least_share) {
+            return None;
+        }
+        let about_center =
+            self.excess(&middle, demand, &Cut::about_center(self.scene, &middle, demand));
+        if about_center <= 0.0 {
             return None;
         }
         let corner = self.scene.farthest(middle.about);
@@ -86,7 +91,7 @@ impl Relaxation<'_> {
         if excess <= 0.0 {
             return None;
         }
-        let mut surplus = excess / cut.gain;
+        let mut surplus = (excess / cut.gain).min(about_center / self.scene.radius_squared);
         if !demand.fixed_translation {
             surplus = surplus.min(translation - demand.translation);
         }

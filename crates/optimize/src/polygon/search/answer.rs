@@ -7,7 +7,7 @@ use crate::{Certificate, Combinations, Ended, OptimizeError, Outcome, Solution};
 
 /// Where all normals are parallel up to this, `sigma_min`, of the order of its square, is lost in
 /// the rounding of the stiffnesses.
-const THIN: f64 = 1e-7;
+const THIN: f64 = 1e-6;
 
 /// What a search was about, beside its problem.
 #[derive(Clone, Copy, Debug)]
@@ -58,19 +58,23 @@ fn nothing(scene: &Scene, matter: Matter, ended: Ended, upper_bound: f64) -> Opt
     let sine = scene.largest_sine();
     if sine > 0.0 && sine <= THIN {
         OptimizeError::TooThin { fingers, sine }
-    } else if !scene.normals_balance(fingers) {
-        OptimizeError::NormalsNeverBalance { fingers, combinations }
     } else if conditions {
         OptimizeError::ConditionsNeverMet { fingers, combinations }
+    } else if !scene.normals_balance(fingers) {
+        OptimizeError::NormalsNeverBalance { fingers, combinations }
     } else {
         OptimizeError::TorquesNeverBalance { fingers, combinations }
     }
 }
 
-/// How many sets of `fingers` of `stretches` things there are, repetition allowed or not; exact
-/// up to 2^53.
+/// How many sets of `fingers` of `stretches` things there are, repetition allowed or not.
 pub(crate) fn choose(stretches: usize, fingers: usize, repetition: bool) -> f64 {
     let most = if repetition { stretches + fingers - 1 } else { stretches };
     // Each product of consecutive numbers is divisible by the factorial.
-    (0..fingers).fold(1.0, |product, i| product * (most.saturating_sub(i)) as f64 / (i + 1) as f64)
+    let exact = (0..fingers).try_fold(1_u128, |product, i| {
+        product.checked_mul(most.saturating_sub(i) as u128).map(|next| next / (i as u128 + 1))
+    });
+    let rounded =
+        || (0..fingers).fold(1.0, |product, i| product * (most - i) as f64 / (i + 1) as f64);
+    exact.map_or_else(rounded, |count| count as f64)
 }

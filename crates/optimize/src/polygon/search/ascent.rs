@@ -5,15 +5,26 @@
     reason = "numbers of stretches, from parts of 1"
 )]
 
+use rayon::prelude::*;
+
 use crate::polygon::rating::Spot;
 
 /// How many trial placements are rated, and how many of them climb.
-const TRIALS: usize = 256;
-const CLIMBERS: usize = 6;
+const TRIALS: usize = 128;
+const CLIMBERS: usize = 3;
 
 /// Steps along stretches end at this part of their length: what is gained by less is a rounding of
 /// the square of it, where a maximum is smooth.
 const SHORTEST_STEP: f64 = 1.0 / (1_u64 << 26) as f64;
+
+/// A step that gains less than this part is followed by shorter ones.
+const SMALLEST_GAIN: f64 = 1e-6;
+
+/// The first step of a climb goes this part of the boundary.
+const FIRST_PART: usize = 8;
+
+/// Climbs over up to this many stretches are shorter than it takes to wake other threads.
+const FEW_STRETCHES: usize = 64;
 
 /// Square roots of primes, whose multiples spread evenly.
 const ROOTS: [f64; 8] = [
@@ -27,18 +38,29 @@ const ROOTS: [f64; 8] = [
     4.358_898_943_540_674,
 ];
 
-/// The highest placements that ascents arrive at, best first, with their ratings.
+/// The highest placements that ascents arrive at, best first, with their ratings. `rate` is given a
+/// floor, and need not answer for what is not above it.
 pub(crate) fn ascents<const K: usize>(
     stretches: usize,
-    rate: impl Fn(&[Spot; K]) -> f64,
+    rate: impl Fn(&[Spot; K], f64) -> Option<f64> + Sync,
     fine: bool,
 ) -> Vec<(f64, [Spot; K])> {
-    let mut trials: Vec<_> =
-        (1..=TRIALS).map(|j| trial(j, stretches)).map(|t| (rate(&t), t)).collect();
-    trials.sort_by(|a, b| b.0.total_cmp(&a.0));
-    trials.truncate(CLIMBERS);
-    let climbed = trials.into_iter().map(|from| climb(stretches, &rate, from, stretches / 8, fine));
-    let mut tops: Vec<_> = climbed.filter(|top| top.0 > 0.0).collect();
+    let mut climbers: Vec<(f64, [Spot; K])> = Vec::new();
+    for j in 1..=TRIALS {
+        let spots = trial(j, stretches);
+        let floor = climbers.get(CLIMBERS - 1).map_or(0.0, |last| last.0);
+        if let Some(value) = rate(&spots, floor) {
+            climbers.push((value, spots));
+            climbers.sort_by(|a, b| b.0.total_cmp(&a.0));
+            climbers.truncate(CLIMBERS);
+        }
+    }
+    let up = |from| climb(stretches, &rate, from, stretches / FIRST_PART, fine);
+    let mut tops: Vec<_> = if fine || stretches > FEW_STRETCHES {
+        climbers.into_par_iter().map(up).collect()
+    } else {
+        climbers.into_iter().map(up).collect()
+    };
     tops.sort_by(|a, b| b.0.total_cmp(&a.0));
     tops
 }
@@ -53,7 +75,7 @@ fn trial<const K: usize>(j: usize, stretches: usize) -> [Spot; K] {
 /// The best placement that single fingers and pairs of them reach, with shrinking steps.
 pub(crate) fn climb<const K: usize>(
     stretches: usize,
-    rate: impl Fn(&[Spot; K]) -> f64,
+    rate: &impl Fn(&[Spot; K], f64) -> Option<f64>,
     (mut best, mut at): (f64, [Spot; K]),
     first_step: usize,
     fine: bool,
@@ -62,8 +84,7 @@ pub(crate) fn climb<const K: usize>(
     loop {
         let mut found = (best, at);
         let mut consider = |next: [Spot; K]| {
-            let value = rate(&next);
-            if value > found.0 {
+            if let Some(value) = rate(&next, found.0).filter(|value| *value > found.0) {
                 found = (value, next);
             }
         };
@@ -83,9 +104,13 @@ pub(crate) fn climb<const K: usize>(
                 }
             }
         }
-        if found.0 > best {
-            (best, at) = found;
-        } else if let Some(shorter) = step.shorter(fine) {
+        // On a ridge each step gains something: shorter ones gain more than many of this length.
+        let gains = found.0 > best * (1.0 + SMALLEST_GAIN);
+        (best, at) = found;
+        if gains {
+            continue;
+        }
+        if let Some(shorter) = step.shorter(fine) {
             step = shorter;
         } else {
             return (best, at);

@@ -7,8 +7,8 @@ use std::time::Instant;
 
 use rayon::prelude::*;
 
-use super::leaders::{Candidate, Floor, Leaders, above, below};
-use crate::polygon::bound::Piece;
+use super::leaders::{Candidate, Leaders};
+use crate::polygon::bound::{Floor, Piece, above, below};
 use crate::{Effort, Ended, Progress};
 
 /// A round takes this part of the open nodes, within these limits: few in a small search, where
@@ -17,8 +17,9 @@ const ROUND_PART: usize = 4;
 const SMALLEST_ROUND: usize = 32;
 const LARGEST_ROUND: usize = 2048;
 
-/// A thread takes at least this many nodes at a time: some microseconds of work.
-const SMALLEST_SHARE: usize = 16;
+/// A thread takes at least this many nodes at a time, and fewer than a few of these are not shared:
+/// to wake threads takes some ten microseconds, a node about one.
+const SMALLEST_SHARE: usize = 32;
 
 /// With more open nodes than this, about 50 megabytes for four fingers, nodes are opened in
 /// the order last in, first out, which bounds their number by rounds times depth.
@@ -147,10 +148,12 @@ pub(crate) fn search<const K: usize, P: Problem<K>>(
         } else {
             let chosen = open.round();
             let first = chosen.first().map(|node| node.pieces);
-            (found, probed) = rayon::join(
-                || round.open_all(&chosen),
-                || first.and_then(|first| problem.probe(&first)),
-            );
+            let probe = || first.and_then(|first| problem.probe(&first));
+            (found, probed) = if chosen.len() < 4 * SMALLEST_SHARE {
+                (round.open_some(&chosen), probe())
+            } else {
+                rayon::join(|| round.open_all(&chosen), probe)
+            };
         }
         nodes += found.nodes;
         solved += found.solved;
@@ -195,18 +198,23 @@ struct Round<'a, const K: usize, P: Problem<K>> {
 }
 
 impl<const K: usize, P: Problem<K>> Round<'_, K, P> {
-    /// Divides nodes.
+    /// Divides nodes, on all threads.
     fn open_all(&self, nodes: &[Node<K>]) -> Share<K, P::Place> {
-        let shares =
-            nodes.par_iter().with_min_len(SMALLEST_SHARE).fold(Share::new, |mut share, node| {
-                if node.bound > self.threshold(&self.floor) {
-                    self.halve(node, &mut share);
-                } else {
-                    share.dropped = share.dropped.max(node.bound);
-                }
-                share
-            });
+        let shares = nodes.par_chunks(SMALLEST_SHARE).map(|nodes| self.open_some(nodes));
         shares.reduce(Share::new, Share::join)
+    }
+
+    /// Divides nodes.
+    fn open_some(&self, nodes: &[Node<K>]) -> Share<K, P::Place> {
+        let mut share = Share::new();
+        for node in nodes {
+            if node.bound > self.threshold(&self.floor) {
+                self.halve(node, &mut share);
+            } else {
+                share.dropped = share.dropped.max(node.bound);
+            }
+        }
+        share
     }
 
     /// Bounds the nodes that halving a piece of `node` makes.

@@ -1,8 +1,6 @@
 //! The best combinations found so far.
 
-/// Two qualities within this of each other, relatively, are a tie: a quality is computed in some
-/// hundred operations, and each loses no more than the part's extent over a finger's lever.
-const TIE: f64 = 4096.0 * f64::EPSILON;
+use crate::polygon::bound::{Floor, below};
 
 /// The best placement on one combination of `K` stretches.
 #[derive(Clone, Copy, Debug)]
@@ -13,34 +11,6 @@ pub(crate) struct Candidate<const K: usize, P> {
     /// What is maximized among ties.
     pub(crate) second: f64,
     pub(crate) place: P,
-}
-
-/// What a placement has to exceed to matter: a better quality, or as good a one, up to rounding,
-/// and the same or a better second objective.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Floor {
-    pub(crate) quality: f64,
-    pub(crate) second: f64,
-}
-
-impl Floor {
-    /// Exceeded by all there is.
-    pub(crate) const NONE: Self = Self { quality: 0.0, second: 0.0 };
-
-    pub(crate) fn is_exceeded_by(&self, quality: f64, second: f64) -> bool {
-        quality > above(self.quality)
-            || (quality > below(self.quality) && second > below(self.second))
-    }
-}
-
-/// A little less: what is not below that is a tie.
-pub(crate) fn below(quality: f64) -> f64 {
-    quality * (1.0 - TIE)
-}
-
-/// A little more: what is above that is better.
-pub(crate) fn above(quality: f64) -> f64 {
-    quality * (1.0 + TIE)
 }
 
 /// The `top` best combinations.

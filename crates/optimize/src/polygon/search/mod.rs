@@ -8,4 +8,4 @@ mod leaders;
 pub(crate) use answer::{Matter, choose, outcome};
 pub(crate) use ascent::{ascents, climb};
 pub(crate) use branch::{Problem, Settled, search};
-pub(crate) use leaders::{Candidate, Floor, Leaders, above, below};
+pub(crate) use leaders::{Candidate, Leaders};

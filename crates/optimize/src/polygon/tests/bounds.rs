@@ -3,10 +3,10 @@
 use clench_testkit::Random;
 
 use super::{each_set, enumerated, node, part, question, restricted};
-use crate::polygon::bound::Piece;
+use crate::polygon::bound::{Floor, Piece};
 use crate::polygon::rating::{Spot, moments, rate};
 use crate::polygon::scene::Scene;
-use crate::polygon::search::{Floor, Problem};
+use crate::polygon::search::Problem;
 use crate::polygon::springs::{SpringSearch, Springs};
 use crate::polygon::triplets::{TripletSearch, Triplets};
 use crate::polygon::{Fingers, Objective, ThreeFingers};
@@ -122,7 +122,7 @@ fn no_bound_is_below_a_placement_under_it() {
                 });
                 let stretches = spots.map(|spot: Spot| spot.stretch);
                 let moments = moments(&scene, &spots);
-                rated.extend(rate(&scene, &asked, &stretches, &moments));
+                rated.extend(rate(&scene, &asked, &stretches, &moments, |_| true));
             }
             let qualities: Vec<_> = rated.iter().map(|rating| springs.objectives(rating)).collect();
             let best =

@@ -46,7 +46,9 @@ fn placements_fulfill_the_cuts_of_their_own_quality_and_need_the_slack() {
                 Spot { stretch, along: r.between(from, to) }
             });
             let (stretches, place) = (spots.map(|spot| spot.stretch), moments(&scene, &spots));
-            let Some(rating) = rate(&scene, &fingers, &stretches, &place) else { continue };
+            let Some(rating) = rate(&scene, &fingers, &stretches, &place, |_| true) else {
+                continue;
+            };
             let demand = Demand {
                 translation: rating.sigma_min,
                 rotation: rating.equivalent,

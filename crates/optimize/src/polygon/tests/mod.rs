@@ -9,8 +9,8 @@ use std::f64::consts::TAU;
 use clench_shape::Polygon;
 use clench_testkit::Random;
 
-use super::bound::{Piece, Pieces};
-use super::search::{Floor, Leaders};
+use super::bound::{Floor, Piece, Pieces};
+use super::search::Leaders;
 use super::springs::Springs;
 use super::{Fingers, Objective, Part, Stretch};
 

@@ -3,8 +3,9 @@
 use clench_testkit::{Random, assert_close};
 
 use super::{each_set, enumerated, part, question, restricted};
+use crate::polygon::bound::Floor;
 use crate::polygon::scene::Scene;
-use crate::polygon::search::{Floor, Leaders};
+use crate::polygon::search::Leaders;
 use crate::polygon::springs::Springs;
 use crate::polygon::triplets::Triplets;
 use crate::polygon::{Fingers, Objective, ThreeFingers, fingers, three_fingers};
