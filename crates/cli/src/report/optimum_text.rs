@@ -186,12 +186,16 @@ impl OptimumText<'_> {
         let combinations = self.report.combinations;
         let planar = self.report.question.part.planar.as_ref();
         let cut = planar.is_some_and(|planar| !planar.forbidden.is_empty());
+        // More than four fingers, and the worst point, are closed in on.
+        let solved = match combinations.examined {
+            0 => String::new(),
+            examined => format!(", {examined} solved exactly"),
+        };
         format!(
-            "{} combinations of {}, {} solved exactly; {} sets of them bounded",
+            "{} combinations of {}{solved}; {} of them bounded",
             counted(combinations.total),
             if cut { "stretches of edges" } else { "edges" },
-            combinations.examined,
-            combinations.nodes
+            counted_sets(combinations.nodes)
         )
     }
 
@@ -304,4 +308,8 @@ impl OptimumText<'_> {
         let points = placement.contacts.iter().map(|c| spot(&c.point, self.size()));
         points.collect::<Vec<_>>().join(" ")
     }
+}
+
+fn counted_sets(count: u64) -> String {
+    if count == 1 { "1 set".to_owned() } else { format!("{count} sets") }
 }

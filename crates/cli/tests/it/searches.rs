@@ -66,7 +66,7 @@ fn a_search_that_is_stopped_has_a_bound_that_holds() {
             "stopped   after 1 node, as asked for: no placement of four fingers on this outline ",
             " has Q above ",
             " F/L, a gap of ",
-            "search    20475 combinations of edges, ",
+            "search    20475 combinations of edges; 1 set of them bounded",
             "stopped: other combinations may have better placements than these",
         ],
     );

@@ -7,7 +7,7 @@ use super::Part;
 use crate::{OptimizeError, Placement, Solution};
 
 impl Solution {
-    /// The four-finger solution by `placements`, with stiffness to first order [LBR, eq. 18].
+    /// The solution by spring fingers at `placements`, with stiffness to first order [LBR, eq. 18].
     pub(super) fn of_first_order(
         part: &Part,
         placements: Vec<Placement>,

@@ -11,7 +11,7 @@ use crate::polygon::triplets::Triplets;
 use crate::polygon::{Fingers, Objective, ThreeFingers, fingers, three_fingers};
 use crate::{Effort, Ended, OptimizeError, unwatched};
 
-/// As many as are asked of the search: see the changelog.
+/// Enough for each family of outlines to come with each condition and objective.
 const OUTLINES: usize = 1000;
 
 #[test]
