@@ -13,6 +13,9 @@ use crate::polygon::scene::Scene;
 /// How often the test form is improved before a node is halved instead.
 const SWEEPS: usize = 3;
 
+/// A sweep that leaves more than this part of the excess is the last one.
+const WORTHWHILE: f64 = 0.9;
+
 /// The bounds; see [`super`] for their derivation.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Relaxation<'a> {
@@ -84,7 +87,7 @@ impl Relaxation<'_> {
                     self.add(&middle, demand, (&mut cut, &mut excess), &other);
                 }
             }
-            if excess >= 0.9 * before {
+            if excess >= WORTHWHILE * before {
                 break;
             }
         }
