@@ -6,9 +6,9 @@ use std::hint::black_box;
 use std::time::{Duration, Instant};
 
 use clench::optimize::polygon::{
-    Fingers, Objective, Part, ThreeFingers, fingers, four_fingers_on, three_fingers,
+    Fingers, Part, ThreeFingers, fingers, four_fingers_on, three_fingers,
 };
-use clench::optimize::{Effort, Outcome, unwatched};
+use clench::optimize::{Effort, Objective, Outcome, unwatched};
 use clench::shape::Polygon;
 use clench_benches::smooth_part;
 use clench_testkit::cases::{array, list, matching, numbers};
@@ -63,15 +63,16 @@ fn whole_outlines(c: &mut Criterion) {
     let mut group = c.benchmark_group("whole outlines");
     group.sample_size(10);
     group.warm_up_time(Duration::from_millis(300)).measurement_time(Duration::from_secs(1));
-    let mut measure = |name: &str, edges, gap: f64, search: &dyn Fn(&Part, f64) -> Outcome| {
-        for seed in SEEDS {
-            let id = BenchmarkId::new(format!("{name}, {edges} edges"), seed);
-            let outline = || smooth_part(edges, seed);
-            group.bench_function(id, |b| {
-                b.iter_batched_ref(outline, |part| search(part, gap), BatchSize::LargeInput);
-            });
-        }
-    };
+    let mut measure =
+        |name: &str, edges, gap: f64, search: &dyn Fn(&Part, f64) -> Outcome<2, 1>| {
+            for seed in SEEDS {
+                let id = BenchmarkId::new(format!("{name}, {edges} edges"), seed);
+                let outline = || smooth_part(edges, seed);
+                group.bench_function(id, |b| {
+                    b.iter_batched_ref(outline, |part| search(part, gap), BatchSize::LargeInput);
+                });
+            }
+        };
     for edges in [20, 100, 1000, 10_000] {
         measure("four fingers", edges, 0.0, &four);
     }

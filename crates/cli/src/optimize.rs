@@ -4,8 +4,8 @@ use std::ops::ControlFlow;
 
 use clench::contact::{Contact, ContactError, Geometry, Law, Order};
 use clench::metrics::{MetricsError, Quality, WorstPoint};
-use clench::optimize::polygon::{Fingers, Objective, Part, ThreeFingers, fingers, three_fingers};
-use clench::optimize::{Effort, OptimizeError, Outcome, Progress, Solution};
+use clench::optimize::polygon::{Fingers, Part, ThreeFingers, fingers, three_fingers};
+use clench::optimize::{Effort, Objective, OptimizeError, Outcome, Progress, Solution};
 use clench::stiffness::{Grasp, GraspError};
 
 use crate::answer::Answer;
@@ -24,7 +24,7 @@ use crate::report::{
 /// A placement that the search found, as a grasp.
 #[derive(Debug)]
 pub(crate) struct Found<'a> {
-    pub(crate) solution: &'a Solution,
+    pub(crate) solution: &'a Solution<2, 1>,
     /// The worst point by the stiffness that was optimized.
     pub(crate) worst: WorstPoint<2>,
     /// The quality with all that preload and finger radius add; only with a preload.
@@ -146,7 +146,7 @@ fn search(
     part: &Part,
     question: &Question<'_>,
     arguments: &OptimizeArguments,
-) -> Result<Outcome, OptimizeError> {
+) -> Result<Outcome<2, 1>, OptimizeError> {
     let Question { fingers: count, finger_radius, least_share, .. } = *question;
     let OptimizeArguments { top, time, nodes, .. } = *arguments;
     let effort = Effort { top, gap: arguments.gap(), time, nodes };
@@ -206,12 +206,12 @@ fn unanswered(
 /// What the search does not say about a placement.
 fn examine<'a>(
     part: &Part,
-    solution: &'a Solution,
+    solution: &'a Solution<2, 1>,
     arguments: &OptimizeArguments,
 ) -> Result<Found<'a>, OutOfRange> {
     let force = arguments.preload.unwrap_or(0.0);
     let contacts = solution.placements.iter().map(|p| {
-        let law = Law::linear(part.edge_stiffness()[p.edge])?;
+        let law = Law::linear(part.edge_stiffness()[p.on])?;
         // Shares are zero or more up to rounding.
         let preload = (force * p.share).max(0.0);
         Contact::new(

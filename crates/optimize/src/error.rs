@@ -61,10 +61,12 @@ pub enum OptimizeError {
         limit: f64,
     },
     /// A placement was found whose stiffness has no principal parameters in the range of numbers.
-    #[error("the best placement on edges {edges:?} is out of the range of numbers: {source}")]
+    #[error(
+        "the best placement on edges or faces {touched:?} is out of the range of numbers: {source}"
+    )]
     OutOfRange {
-        /// The edges.
-        edges: Vec<usize>,
+        /// What its fingers touch.
+        touched: Vec<usize>,
         /// What its stiffness lacks.
         source: MetricsError,
     },

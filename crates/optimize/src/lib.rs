@@ -18,17 +18,21 @@
 //! assert_eq!(found.certificate.ended, Ended::Proved);
 //! let best = found.best;
 //! assert!((best.quality.value - (2.0 - 0.1_f64.sqrt())).abs() < 1e-12);
-//! assert_eq!(best.edges(), [0, 0, 1, 3]);
+//! assert_eq!(best.touched(), [0, 0, 1, 3]);
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
 pub mod polygon;
 
+mod search;
+
 mod effort;
+mod objective;
 mod outcome;
 
 mod error;
 
 pub use effort::{Effort, Ended, unwatched};
 pub use error::OptimizeError;
+pub use objective::Objective;
 pub use outcome::{Certificate, Combinations, Outcome, Placement, Progress, Solution};

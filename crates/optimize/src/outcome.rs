@@ -9,46 +9,54 @@ use crate::Ended;
 
 /// Where one finger goes.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Placement {
-    /// The edge, numbered as in the outline.
-    pub edge: usize,
-    /// The contact point on it (length).
-    pub point: Vector<2>,
+pub struct Placement<const N: usize> {
+    /// What it touches: the number of the edge of an outline, of the face of a solid, or of the
+    /// candidate.
+    pub on: usize,
+    /// The contact point (length).
+    pub point: Vector<N>,
     /// The unit normal into the part.
-    pub inward_normal: Vector<2>,
+    pub inward_normal: Vector<N>,
     /// The finger's share of the total preload when the forces balance; the shares sum to 1. With
-    /// more than four fingers there is a choice: the least share is then as large as can be.
+    /// more fingers than it takes to hold a part there is a choice: the least share is then as large
+    /// as can be.
     ///
     /// 0 at the boundary of what can be held: the optimum is then a limit that is approached by
     /// placements which hold, and there the fingers with share 0 barely press.
     pub share: f64,
 }
 
-/// A best placement on one combination of edges.
+/// A best placement on one combination of edges, faces or candidates.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Solution {
-    /// The fingers, in order along the outline.
-    pub placements: Vec<Placement>,
+pub struct Solution<const N: usize, const M: usize> {
+    /// The fingers that were placed, by the numbers of what they touch; on an edge in order along
+    /// the outline.
+    pub placements: Vec<Placement<N>>,
+    /// The shares of the fingers that were given, in their order; they and those of the placements
+    /// sum to 1.
+    pub given_shares: Vec<f64>,
     /// What was maximized (force / length).
     pub objective: f64,
     /// Its quality. When translation limits it, every placement on these edges whose equivalent
     /// stiffness reaches `quality.translational` is as good; this one has the largest.
-    pub quality: Quality<2, 1>,
-    /// The principal parameters of its stiffness, in the frame of the outline.
-    pub principal: Principal<2, 1>,
+    pub quality: Quality<N, M>,
+    /// The principal parameters of its stiffness, in the frame of the part.
+    pub principal: Principal<N, M>,
 }
 
-impl Solution {
+impl Solution<2, 1> {
     /// The center of compliance (length).
     #[must_use]
     pub fn center(&self) -> Vector<2> {
         self.principal.center()
     }
+}
 
-    /// The edges that the fingers touch, ascending.
+impl<const N: usize, const M: usize> Solution<N, M> {
+    /// The numbers of the edges, faces or candidates that the placed fingers touch, ascending.
     #[must_use]
-    pub fn edges(&self) -> Vec<usize> {
-        self.placements.iter().map(|p| p.edge).collect()
+    pub fn touched(&self) -> Vec<usize> {
+        self.placements.iter().map(|p| p.on).collect()
     }
 }
 
@@ -61,7 +69,7 @@ pub struct Certificate {
     pub ended: Ended,
 }
 
-/// How many combinations of stretches there are, and what the search took.
+/// How many combinations of stretches of edges, of faces or of candidates there are, and what the search took.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Combinations {
     /// All there are; exact up to 2^53.
@@ -74,22 +82,23 @@ pub struct Combinations {
 
 /// The end of a search.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Outcome {
-    /// The best placement. Among ties it has the largest equivalent stiffness, then the lowest edge
-    /// numbers.
-    pub best: Solution,
-    /// The best placements on the next best combinations of stretches, as many as were asked for
+pub struct Outcome<const N: usize, const M: usize> {
+    /// The best placement. Among ties it has the largest equivalent stiffness, then the lowest
+    /// numbers of edges or faces.
+    pub best: Solution<N, M>,
+    /// The best placements on the next best combinations of stretches of edges, of
+    /// faces or of candidates, as many as were asked for
     /// and exist, best first.
-    pub others: Vec<Solution>,
+    pub others: Vec<Solution<N, M>>,
     /// The proof.
     pub certificate: Certificate,
     /// What it took.
     pub combinations: Combinations,
 }
 
-impl Outcome {
+impl<const N: usize, const M: usize> Outcome<N, M> {
     /// The best placement and the others, best first.
-    pub fn solutions(&self) -> impl Iterator<Item = &Solution> {
+    pub fn solutions(&self) -> impl Iterator<Item = &Solution<N, M>> {
         std::iter::once(&self.best).chain(&self.others)
     }
 

@@ -59,8 +59,8 @@ pub(super) fn outline(paper: &Paper) -> GraspPicture {
     }
 }
 
-pub(super) fn fingers(solution: &Solution) -> Vec<Finger> {
-    let finger = |(i, p): (usize, &clench::optimize::Placement)| Finger {
+pub(super) fn fingers(solution: &Solution<2, 1>) -> Vec<Finger> {
+    let finger = |(i, p): (usize, &clench::optimize::Placement<2>)| Finger {
         point: p.point.to_array(),
         inward_normal: p.inward_normal.to_array(),
         label: (i + 1).to_string(),
@@ -72,7 +72,7 @@ pub(super) fn fingers(solution: &Solution) -> Vec<Finger> {
 fn strips(paper: &Paper) -> Result<Figure, DrawError> {
     let solution = &paper.triplets[1];
     let colors = [Color::BLUE, Color::ORANGE, Color::GREEN];
-    let edges = solution.placements.iter().map(|p| &paper.part.outline().edges()[p.edge]);
+    let edges = solution.placements.iter().map(|p| &paper.part.outline().edges()[p.on]);
     let regions = edges.zip(colors).map(|(edge, color)| Region { corners: strip(edge), color });
     GraspPicture {
         regions: regions.collect(),
@@ -98,7 +98,7 @@ fn strip(edge: &Edge) -> Vec<[f64; 2]> {
 
 fn grasp(
     paper: &Paper,
-    solution: &Solution,
+    solution: &Solution<2, 1>,
     title: &str,
     per_preload: &str,
 ) -> Result<Figure, DrawError> {

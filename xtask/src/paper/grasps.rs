@@ -51,18 +51,18 @@ pub(crate) struct Paper {
     /// Of the grasp of Figures 1 and 2.
     pub(crate) figure_1: Principal<2, 1>,
     /// Grasps I and II of Example 5.1, for a total preload of 1.
-    pub(crate) triplets: [Solution; 2],
+    pub(crate) triplets: [Solution<2, 1>; 2],
     /// The best of all triplets.
-    pub(crate) three: Outcome,
+    pub(crate) three: Outcome<2, 1>,
     /// Example 5.2.
-    pub(crate) four: Outcome,
+    pub(crate) four: Outcome<2, 1>,
 }
 
 impl Paper {
     pub(crate) fn compute() -> Result<Self, PaperError> {
         let part = Part::uniform(Polygon::new(&QUADRILATERAL)?, 1.0)?;
         let options = ThreeFingers::with_preload(1.0);
-        let on = |edges| -> Result<Solution, PaperError> {
+        let on = |edges| -> Result<Solution<2, 1>, PaperError> {
             three_fingers_on(&part, edges, &options)?.ok_or(PaperError::Triplet { edges })
         };
         Ok(Self {

@@ -81,9 +81,9 @@ pub(crate) fn rows(paper: &Paper) -> Vec<Row> {
 }
 
 /// The edges of a solution by the letters of their corners.
-fn names(solution: &Solution) -> String {
+fn names(solution: &Solution<2, 1>) -> String {
     let letters = ["AB", "BC", "CD", "DA"];
-    let edges: Vec<&str> = solution.edges().iter().map(|&edge| letters[edge]).collect();
+    let edges: Vec<&str> = solution.touched().iter().map(|&edge| letters[edge]).collect();
     edges.join(", ")
 }
 

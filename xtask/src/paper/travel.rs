@@ -60,12 +60,12 @@ impl Travel {
         let edges: Vec<Vec<Sample>> =
             (0..outline.edges().len()).map(|edge| mover.edge(edge)).collect::<Result<_, _>>()?;
         let place = &paper.four.best.placements[FIXED];
-        let edge = &outline.edges()[place.edge];
+        let edge = &outline.edges()[place.on];
         let along = (place.point - edge.start()).norm();
-        let flat = |end| mover.border(place.edge, along, end, |at| at.rotational >= at.sigma_min);
+        let flat = |end| mover.border(place.on, along, end, |at| at.rotational >= at.sigma_min);
         Ok(Self {
-            paper: mover.at(place.edge, along)?,
-            paper_edge: place.edge,
+            paper: mover.at(place.on, along)?,
+            paper_edge: place.on,
             plateau: [flat(0.0)?, flat(edge.length())?],
             best: mover.largest_worst(&edges)?,
             edges,
@@ -90,7 +90,7 @@ impl<'a> Mover<'a> {
     fn new(paper: &'a Paper) -> Result<Self, ContactError> {
         let outline = paper.part.outline();
         let placements = paper.four.best.placements.iter().take(FIXED);
-        let fixed = placements.map(|p| finger(p.point, &outline.edges()[p.edge]));
+        let fixed = placements.map(|p| finger(p.point, &outline.edges()[p.on]));
         Ok(Self { outline, fixed: fixed.collect::<Result<_, _>>()? })
     }
 

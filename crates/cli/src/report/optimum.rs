@@ -121,7 +121,7 @@ impl<'a> OptimumReport<'a> {
     pub(crate) fn new(
         question: &'a Question<'a>,
         part: &Part,
-        outcome: &Outcome,
+        outcome: &Outcome<2, 1>,
         (best, others): (&Found<'_>, &[Found<'_>]),
     ) -> Self {
         let placement = |found: &Found<'_>| PlacementReport::new(question, part, found);
@@ -150,7 +150,7 @@ impl PlacementReport {
         let solution = found.solution;
         let quality = solution.quality;
         let farthest = quality.softest_rotation().farthest;
-        let contact = |p: &Placement| PlacedFinger::new(question, part, p);
+        let contact = |p: &Placement<2>| PlacedFinger::new(question, part, p);
         let contacts: Vec<_> = solution.placements.iter().map(contact).collect();
         let second = found.second_order.as_ref();
         Self {
@@ -192,11 +192,11 @@ impl PlacementReport {
 }
 
 impl PlacedFinger {
-    fn new(question: &Question<'_>, part: &Part, placement: &Placement) -> Self {
-        let stiffness = Finite(part.edge_stiffness()[placement.edge]);
+    fn new(question: &Question<'_>, part: &Part, placement: &Placement<2>) -> Self {
+        let stiffness = Finite(part.edge_stiffness()[placement.on]);
         let share = plain(placement.share.max(0.0));
         Self {
-            edge: placement.edge,
+            edge: placement.on,
             point: placement.point.to_array().map(plain),
             inward_normal: placement.inward_normal.to_array().map(plain),
             law: schema::Law::Linear { stiffness },

@@ -3,33 +3,17 @@
 use std::ops::ControlFlow;
 
 use super::Part;
-use super::bound::Floor;
+use super::reason::nothing;
 use super::scene::Scene;
-use super::search::{Leaders, Matter, choose, outcome, search};
 use super::springs::{SpringSearch, Springs};
-use crate::{Effort, OptimizeError, Outcome, Progress, Solution};
+use crate::search::{Floor, Leaders, Matter, choose, outcome, search};
+use crate::{Effort, Objective, OptimizeError, Outcome, Progress, Solution};
 
 /// The least number of spring fingers that can be placed: fewer do not hold a part to first order.
 pub const FEWEST_FINGERS: usize = 4;
 
 /// The largest number of spring fingers that can be placed.
 pub const MOST_FINGERS: usize = 8;
-
-/// What is maximized.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Objective {
-    /// The quality `Q = min(sigma_min, mu_eq)` [LBR, eq. 14].
-    Quality,
-    /// The worst-point stiffness `Q_pt`: the least ratio of a force to the deflection of the point
-    /// that it acts on, over all points of the part. At most the quality, at least half of it.
-    WorstPoint,
-    /// The equivalent rotational stiffness `mu_eq`, among the placements whose least translational
-    /// stiffness `sigma_min` is at least this (force / length).
-    Rotation {
-        /// The condition.
-        least_translation: f64,
-    },
-}
 
 /// Frictionless fingers, each a spring along its normal.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -54,11 +38,8 @@ impl Fingers {
     }
 
     fn has_conditions(&self) -> bool {
-        let least_translation = match self.objective {
-            Objective::Rotation { least_translation } => least_translation,
-            Objective::Quality | Objective::WorstPoint => 0.0,
-        };
-        self.least_distance > 0.0 || self.least_share > 0.0 || least_translation > 0.0
+        let translation = self.objective.least_translation() > 0.0;
+        self.least_distance > 0.0 || self.least_share > 0.0 || translation
     }
 
     fn checked(&self) -> Result<(), OptimizeError> {
@@ -77,12 +58,7 @@ impl Fingers {
         if !(0.0..limit).contains(&least_share) {
             return Err(OptimizeError::LeastShare { value: least_share, limit });
         }
-        if let Objective::Rotation { least_translation } = objective
-            && !(least_translation >= 0.0 && least_translation.is_finite())
-        {
-            return Err(OptimizeError::LeastTranslation { value: least_translation });
-        }
-        Ok(())
+        objective.checked()
     }
 }
 
@@ -113,7 +89,7 @@ pub fn fingers(
     fingers: &Fingers,
     effort: &Effort,
     watch: impl FnMut(&Progress) -> ControlFlow<()>,
-) -> Result<Outcome, OptimizeError> {
+) -> Result<Outcome<2, 1>, OptimizeError> {
     fingers.checked()?;
     effort.checked()?;
     match fingers.count {
@@ -130,7 +106,7 @@ fn best<const K: usize>(
     fingers: &Fingers,
     effort: &Effort,
     watch: impl FnMut(&Progress) -> ControlFlow<()>,
-) -> Result<Outcome, OptimizeError> {
+) -> Result<Outcome<2, 1>, OptimizeError> {
     let scene = Scene::checked(part)?;
     let springs = Springs { scene: &scene, fingers };
     let mut leaders = Leaders::new(effort.top.get());
@@ -138,8 +114,14 @@ fn best<const K: usize>(
     let searched = search(&SpringSearch::new(springs), leaders, effort, watch);
     let combinations = choose(scene.supports.len(), K, true);
     let conditions = fingers.has_conditions() || part.is_restricted();
-    let matter = Matter { fingers: K, combinations, conditions };
-    outcome(&scene, matter, &searched, |candidate| springs.solution(candidate))
+    let matter = Matter { fingers: K, combinations };
+    outcome(
+        scene.stiffness_unit,
+        matter,
+        &searched,
+        |candidate| springs.solution(candidate),
+        || nothing(&scene, matter, conditions),
+    )
 }
 
 /// The best placement of four fingers on the given edges, in any order; two may be equal.
@@ -155,7 +137,7 @@ pub fn four_fingers_on(
     part: &Part,
     edges: [usize; 4],
     fingers: &Fingers,
-) -> Result<Option<Solution>, OptimizeError> {
+) -> Result<Option<Solution<2, 1>>, OptimizeError> {
     fingers.checked()?;
     if fingers.count != 4 {
         return Err(OptimizeError::FingerCount { found: fingers.count, fewest: 4, most: 4 });

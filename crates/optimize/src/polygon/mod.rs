@@ -71,16 +71,16 @@ mod three;
 mod springs;
 mod triplets;
 
-mod search;
-
+mod ascent;
 mod bound;
 mod closed_form;
 
 mod rating;
+mod reason;
 mod scene;
 mod solution;
 
-pub use fingers::{FEWEST_FINGERS, Fingers, MOST_FINGERS, Objective, fingers, four_fingers_on};
+pub use fingers::{FEWEST_FINGERS, Fingers, MOST_FINGERS, fingers, four_fingers_on};
 pub use part::{LARGEST_SPREAD, Part, Stretch};
 pub use three::{ThreeFingers, three_fingers, three_fingers_on};
 

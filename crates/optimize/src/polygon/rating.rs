@@ -3,9 +3,10 @@
 use clench_screw::spatial::cross;
 use clench_screw::{Mat, Vector};
 
+use super::Fingers;
 use super::bound::NO_TRANSLATION;
 use super::scene::{Scene, Support, largest_value};
-use super::{Fingers, Objective};
+use crate::Objective;
 
 /// Distances may fall short by this many units of rounding of the moments.
 pub(super) const DISTANCE_ROUNDING: f64 = 64.0 * f64::EPSILON;

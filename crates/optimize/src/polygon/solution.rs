@@ -6,16 +6,16 @@ use clench_screw::{Stiffness, Vector, Wrench};
 use super::Part;
 use crate::{OptimizeError, Placement, Solution};
 
-impl Solution {
+impl Solution<2, 1> {
     /// The solution by spring fingers at `placements`, with stiffness to first order [LBR, eq. 18].
     pub(super) fn of_first_order(
         part: &Part,
-        placements: Vec<Placement>,
+        placements: Vec<Placement<2>>,
     ) -> Result<Self, OptimizeError> {
         let about = |origin: Vector<2>| {
             placements.iter().fold(Stiffness::ZERO, |sum, p| {
                 let wrench = Wrench::<2, 1>::of_force_at(p.inward_normal, p.point - origin);
-                sum + Stiffness::outer(&wrench) * part.edge_stiffness()[p.edge]
+                sum + Stiffness::outer(&wrench) * part.edge_stiffness()[p.on]
             })
         };
         let principal = Principal::near(part.outline().enclosing_circle().center, about);
@@ -26,14 +26,14 @@ impl Solution {
     /// rotational stiffness `mu` about it [LBR, proposition 5.1].
     pub(super) fn of_concurrent(
         part: &Part,
-        placements: Vec<Placement>,
+        placements: Vec<Placement<2>>,
         center: Vector<2>,
         mu: f64,
     ) -> Result<Self, OptimizeError> {
         let mut stiffness = Stiffness::ZERO;
         for p in &placements {
             let wrench = Wrench { force: p.inward_normal, torque: Vector::ZERO };
-            stiffness += Stiffness::outer(&wrench) * part.edge_stiffness()[p.edge];
+            stiffness += Stiffness::outer(&wrench) * part.edge_stiffness()[p.on];
         }
         stiffness.rotational[0][0] = mu;
         Self::of(part, placements, Principal::of(center, &stiffness))
@@ -41,13 +41,13 @@ impl Solution {
 
     /// The worst point of the part held so.
     pub(super) fn worst_point(&self, part: &Part) -> Result<WorstPoint<2>, OptimizeError> {
-        let source = |source| OptimizeError::OutOfRange { edges: self.edges(), source };
+        let source = |source| OptimizeError::OutOfRange { touched: self.touched(), source };
         WorstPoint::of(&self.principal, part.outline()).map_err(source)
     }
 
     fn of(
         part: &Part,
-        placements: Vec<Placement>,
+        placements: Vec<Placement<2>>,
         principal: Result<Principal<2, 1>, MetricsError>,
     ) -> Result<Self, OptimizeError> {
         let evaluated = principal.and_then(|principal| {
@@ -55,11 +55,12 @@ impl Solution {
         });
         match evaluated {
             Ok((principal, quality)) => {
-                Ok(Self { placements, objective: quality.value, quality, principal })
+                let given_shares = Vec::new();
+                Ok(Self { placements, given_shares, objective: quality.value, quality, principal })
             }
             Err(source) => {
-                let edges = placements.iter().map(|p| p.edge).collect();
-                Err(OptimizeError::OutOfRange { edges, source })
+                let touched = placements.iter().map(|p| p.on).collect();
+                Err(OptimizeError::OutOfRange { touched, source })
             }
         }
     }

@@ -2,13 +2,14 @@
 
 use clench_screw::Vector;
 
-use super::bound::{Demand, Floor, Piece, Pieces, Relaxation, above, below};
+use super::Fingers;
+use super::ascent::{ascents, climb};
+use super::bound::{Demand, Pieces, Relaxation};
 use super::closed_form::Quadruple;
 use super::rating::{DISTANCE_ROUNDING, PUSHING, Rating, Spot, moments, rate, shares};
 use super::scene::Scene;
-use super::search::{Candidate, Problem, Settled, ascents, climb};
-use super::{Fingers, Objective};
-use crate::{OptimizeError, Placement, Solution};
+use crate::search::{Bounded, Candidate, Floor, Piece, Problem, Settled, above, below};
+use crate::{Objective, OptimizeError, Placement, Solution};
 
 /// A share below this is rounding of 0.
 const NO_SHARE: f64 = 1e-12;
@@ -66,12 +67,7 @@ impl Springs<'_> {
 
     /// The least `sigma_min` that is asked for, in the scene's unit.
     fn least_translation(&self) -> f64 {
-        match self.fingers.objective {
-            Objective::Rotation { least_translation } => {
-                least_translation / self.scene.stiffness_unit
-            }
-            Objective::Quality | Objective::WorstPoint => 0.0,
-        }
+        self.fingers.objective.least_translation() / self.scene.stiffness_unit
     }
 
     /// What is maximized, and what among ties.
@@ -153,7 +149,7 @@ impl Springs<'_> {
     pub(super) fn solution<const K: usize>(
         &self,
         candidate: &Candidate<K, Moments<K>>,
-    ) -> Result<Solution, OptimizeError> {
+    ) -> Result<Solution<2, 1>, OptimizeError> {
         let supports = candidate.stretches.map(|s| &self.scene.supports[s]);
         let points: [Vector<2>; K] =
             std::array::from_fn(|i| supports[i].point(candidate.place[i], self.scene.center));
@@ -166,15 +162,15 @@ impl Springs<'_> {
         // No answer has wrenches that do not span their space.
         let shares = shares(&wrenches).map_or([0.0; K], |shares| shares.all);
         let placement = |i: usize| Placement {
-            edge: supports[i].edge,
+            on: supports[i].edge,
             point: points[i],
             inward_normal: supports[i].normal,
             share: if shares[i] > NO_SHARE { shares[i] } else { 0.0 },
         };
         let mut placements: Vec<_> = (0..K).map(placement).collect();
         let outline = self.scene.part.outline();
-        let along = |p: &Placement| (p.point - outline.edges()[p.edge].start()).norm_squared();
-        placements.sort_by(|p, q| p.edge.cmp(&q.edge).then(along(p).total_cmp(&along(q))));
+        let along = |p: &Placement<2>| (p.point - outline.edges()[p.on].start()).norm_squared();
+        placements.sort_by(|p, q| p.on.cmp(&q.on).then(along(p).total_cmp(&along(q))));
         let mut solution = Solution::of_first_order(self.scene.part, placements)?;
         solution.objective = match self.fingers.objective {
             Objective::Quality => solution.quality.value,
@@ -200,6 +196,10 @@ impl<'a> SpringSearch<'a> {
 
 impl<const K: usize> Problem<K> for SpringSearch<'_> {
     type Place = Moments<K>;
+    type Hint = ();
+
+    /// About 50 megabytes for four fingers.
+    const MOST_OPEN: usize = 1 << 20;
 
     fn halves(&self, piece: Piece) -> Option<[Piece; 2]> {
         self.pieces.halves(piece)
@@ -213,7 +213,7 @@ impl<const K: usize> Problem<K> for SpringSearch<'_> {
         self.pieces.combination(node)
     }
 
-    fn bound(&self, node: &[Piece; K], floor: &Floor) -> Option<(f64, usize)> {
+    fn bound(&self, node: &[Piece; K], floor: &Floor, _: Option<&()>) -> Option<Bounded<()>> {
         let springs = &self.springs;
         if springs.are_crowded(node, &self.pieces) {
             return None;
@@ -224,7 +224,7 @@ impl<const K: usize> Problem<K> for SpringSearch<'_> {
             least_share: springs.least_share::<K>(),
             whole_stretches: springs.is_enumerable::<K>(),
         };
-        match springs.fingers.objective {
+        let (bound, split) = match springs.fingers.objective {
             Objective::Quality => floor.bound(|demand| relaxation.verdict(node, demand)),
             Objective::Rotation { .. } => floor
                 .rotation_bound(below(springs.least_translation()), |demand| {
@@ -235,10 +235,11 @@ impl<const K: usize> Problem<K> for SpringSearch<'_> {
                 let verdict = relaxation.verdict(node, &demand)?;
                 Some((demand.rotation + verdict.surplus, verdict.split))
             }
-        }
+        }?;
+        Some(Bounded { bound, split, hint: () })
     }
 
-    fn probe(&self, node: &[Piece; K]) -> Option<Candidate<K, Self::Place>> {
+    fn probe(&self, node: &[Piece; K], _: u64) -> Option<Candidate<K, Self::Place>> {
         let springs = &self.springs;
         let stretches = node.iter().map(|&piece| self.pieces.stretches(piece).len()).max();
         let spots = node.map(|piece| self.pieces.middle(piece));

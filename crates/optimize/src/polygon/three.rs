@@ -3,10 +3,10 @@
 use std::ops::ControlFlow;
 
 use super::Part;
-use super::bound::Floor;
+use super::reason::nothing;
 use super::scene::Scene;
-use super::search::{Leaders, Matter, choose, outcome, search};
 use super::triplets::{TripletSearch, Triplets};
+use crate::search::{Floor, Leaders, Matter, choose, outcome, search};
 use crate::{Effort, OptimizeError, Outcome, Progress, Solution};
 
 /// What to search for.
@@ -69,7 +69,7 @@ pub fn three_fingers(
     fingers: &ThreeFingers,
     effort: &Effort,
     watch: impl FnMut(&Progress) -> ControlFlow<()>,
-) -> Result<Outcome, OptimizeError> {
+) -> Result<Outcome<2, 1>, OptimizeError> {
     fingers.checked()?;
     effort.checked()?;
     let scene = Scene::checked(part)?;
@@ -79,8 +79,14 @@ pub fn three_fingers(
     let searched = search(&TripletSearch::new(triplets), leaders, effort, watch);
     let combinations = choose(scene.supports.len(), 3, false);
     let conditions = fingers.least_share > 0.0 || part.is_restricted();
-    let matter = Matter { fingers: 3, combinations, conditions };
-    outcome(&scene, matter, &searched, |candidate| triplets.solution(candidate))
+    let matter = Matter { fingers: 3, combinations };
+    outcome(
+        scene.stiffness_unit,
+        matter,
+        &searched,
+        |candidate| triplets.solution(candidate),
+        || nothing(&scene, matter, conditions),
+    )
 }
 
 /// The best placement on the given edges, in any order.
@@ -94,7 +100,7 @@ pub fn three_fingers_on(
     part: &Part,
     edges: [usize; 3],
     fingers: &ThreeFingers,
-) -> Result<Option<Solution>, OptimizeError> {
+) -> Result<Option<Solution<2, 1>>, OptimizeError> {
     fingers.checked()?;
     let edges = part.checked(edges)?;
     let scene = Scene::checked(part)?;

@@ -4,11 +4,11 @@ use clench_screw::Vector;
 use clench_screw::planar::{cross, quarter_turn};
 
 use super::ThreeFingers;
-use super::bound::{Demand, Floor, Middle, Piece, Pieces, Range, Verdict, below, is_excluded};
+use super::bound::{Demand, Middle, Pieces, Range, Verdict, is_excluded};
 use super::closed_form::Convex;
 use super::rating::PUSHING;
 use super::scene::{PARALLEL, Scene, Support};
-use super::search::{Candidate, Problem, Settled};
+use crate::search::{Bounded, Candidate, Floor, Piece, Problem, Settled, below};
 use crate::{OptimizeError, Placement, Solution};
 
 /// Distances are rounded by this many units of the part's radius.
@@ -98,12 +98,12 @@ impl<'a> Triplets<'a> {
     pub(super) fn solution(
         &self,
         candidate: &Candidate<3, Meeting>,
-    ) -> Result<Solution, OptimizeError> {
+    ) -> Result<Solution<2, 1>, OptimizeError> {
         let Meeting { center, mu, shares } = candidate.place;
         let placements = candidate.stretches.iter().zip(shares).map(|(&number, share)| {
             let support = &self.scene.supports[number];
             let (point, inward_normal) = (support.foot(center), support.normal);
-            Placement { edge: support.edge, point, inward_normal, share }
+            Placement { on: support.edge, point, inward_normal, share }
         });
         let mu = mu * self.scene.stiffness_unit;
         Solution::of_concurrent(self.scene.part, placements.collect(), center, mu)
@@ -246,6 +246,9 @@ impl<'a> TripletSearch<'a> {
 
 impl Problem<3> for TripletSearch<'_> {
     type Place = Meeting;
+    type Hint = ();
+
+    const MOST_OPEN: usize = 1 << 20;
 
     fn halves(&self, piece: Piece) -> Option<[Piece; 2]> {
         self.springs.halves(piece)
@@ -259,11 +262,12 @@ impl Problem<3> for TripletSearch<'_> {
         self.springs.combination(node)
     }
 
-    fn bound(&self, node: &[Piece; 3], floor: &Floor) -> Option<(f64, usize)> {
-        floor.bound(|demand| self.verdict(node, demand))
+    fn bound(&self, node: &[Piece; 3], floor: &Floor, _: Option<&()>) -> Option<Bounded<()>> {
+        let (bound, split) = floor.bound(|demand| self.verdict(node, demand))?;
+        Some(Bounded { bound, split, hint: () })
     }
 
-    fn probe(&self, _: &[Piece; 3]) -> Option<Candidate<3, Meeting>> {
+    fn probe(&self, _: &[Piece; 3], _: u64) -> Option<Candidate<3, Meeting>> {
         None
     }
 

@@ -2,9 +2,9 @@
 //! different stiffnesses. Each family is held against sampling, and against itself.
 
 use clench_optimize::polygon::{
-    Fingers, Objective, Part, ThreeFingers, fingers, four_fingers_on, three_fingers,
+    Fingers, Part, ThreeFingers, fingers, four_fingers_on, three_fingers,
 };
-use clench_optimize::{Effort, Ended, OptimizeError, unwatched};
+use clench_optimize::{Effort, Ended, Objective, OptimizeError, unwatched};
 use clench_screw::planar::Frame;
 use clench_shape::Polygon;
 use clench_testkit::{Random, assert_close};

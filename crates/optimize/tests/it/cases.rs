@@ -40,7 +40,7 @@ fn four_fingers_reach_the_optimum_of_each_combination() {
         }
         let outcome = fingers(&part, &Fingers::new(4), &Effort::default(), unwatched).unwrap();
         let best = &outcome.best;
-        assert_eq!(best.edges(), edges::<4>(&wanted["edges"]), "part {i}");
+        assert_eq!(best.touched(), edges::<4>(&wanted["edges"]), "part {i}");
         let q = number(&wanted["q"]);
         assert_close(best.quality.value, q, DIGITS, q, format!("part {i}"));
         let center = numbers(&wanted["center"]);
@@ -97,6 +97,6 @@ fn three_fingers_reach_the_optimum_of_each_triplet() {
         let outcome = three_fingers(&part, &options, &Effort::default(), unwatched).unwrap();
         let q = number(&case["best_q"]);
         assert_close(outcome.best.quality.value, q, DIGITS, q, format!("part {i}"));
-        assert_eq!(outcome.best.edges(), edges::<3>(&case["best_edges"]));
+        assert_eq!(outcome.best.touched(), edges::<3>(&case["best_edges"]));
     }
 }

@@ -3,8 +3,8 @@
 use std::num::NonZeroUsize;
 use std::ops::ControlFlow;
 
-use clench_optimize::polygon::{Fingers, Objective, Part, fingers, four_fingers_on};
-use clench_optimize::{Effort, Ended, Outcome, Progress, unwatched};
+use clench_optimize::polygon::{Fingers, Part, fingers, four_fingers_on};
+use clench_optimize::{Effort, Ended, Objective, Outcome, Progress, unwatched};
 use clench_screw::planar::Frame;
 use clench_shape::Polygon;
 use clench_testkit::{Random, assert_close};
@@ -13,7 +13,7 @@ fn part(corners: &[[f64; 2]], stiffness: &[f64]) -> Part {
     Part::new(Polygon::new(corners).unwrap(), stiffness.to_vec()).unwrap()
 }
 
-fn best(part: &Part) -> Outcome {
+fn best(part: &Part) -> Outcome<2, 1> {
     fingers(part, &Fingers::new(4), &Effort::default(), unwatched).unwrap()
 }
 
@@ -59,7 +59,7 @@ fn units_by_powers_of_four_change_the_optimum_exactly() {
         assert_eq!(b.quality.value, a.quality.value * force / length);
         assert_eq!(b.center(), a.center() * length);
         for (p, q) in a.placements.iter().zip(&b.placements) {
-            assert_eq!((q.edge, q.point, q.share), (p.edge, p.point * length, p.share));
+            assert_eq!((q.on, q.point, q.share), (p.on, p.point * length, p.share));
         }
         assert_eq!(one.combinations, other.combinations);
     }

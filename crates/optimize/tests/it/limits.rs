@@ -4,10 +4,12 @@ use std::ops::ControlFlow;
 use std::time::Duration;
 
 use clench_optimize::polygon::{
-    FEWEST_FINGERS, Fingers, LARGEST_SPREAD, MOST_FINGERS, Objective, Part, Stretch, ThreeFingers,
-    fingers, four_fingers_on, three_fingers, three_fingers_on,
+    FEWEST_FINGERS, Fingers, LARGEST_SPREAD, MOST_FINGERS, Part, Stretch, ThreeFingers, fingers,
+    four_fingers_on, three_fingers, three_fingers_on,
 };
-use clench_optimize::{Effort, Ended, OptimizeError, Outcome, Placement, Progress, unwatched};
+use clench_optimize::{
+    Effort, Ended, Objective, OptimizeError, Outcome, Placement, Progress, unwatched,
+};
 use clench_shape::Polygon;
 use clench_testkit::Random;
 
@@ -128,7 +130,7 @@ fn a_square_is_held_at_its_corners() {
     let best = &outcome.best;
     assert!((best.quality.value - 2.0).abs() < 1e-14);
     assert!((best.quality.equivalent() - 2.0).abs() < 1e-14);
-    assert_eq!(best.edges(), [0, 1, 2, 3]);
+    assert_eq!(best.touched(), [0, 1, 2, 3]);
     assert_eq!(outcome.combinations.total, 35.0);
 }
 
@@ -257,11 +259,11 @@ fn conditions_cost_quality_until_nothing_fits() {
         let slanted = Part::uniform(Polygon::new(&corners).unwrap(), 1.0).unwrap();
         let found = fingers(&slanted, &asked, &Effort::default(), unwatched)?;
         assert_eq!(found.certificate.ended, Ended::Proved);
-        let distance = |p: &Placement, q: &Placement| (p.point - q.point).norm();
+        let distance = |p: &Placement<2>, q: &Placement<2>| (p.point - q.point).norm();
         for (i, p) in found.best.placements.iter().enumerate() {
             assert!(p.share >= asked.least_share - 1e-12);
             for q in &found.best.placements[..i] {
-                let near = p.edge == q.edge && distance(p, q) < asked.least_distance - 1e-12;
+                let near = p.on == q.on && distance(p, q) < asked.least_distance - 1e-12;
                 assert!(!near, "{:?}", found.best.placements);
             }
         }
@@ -286,7 +288,7 @@ fn a_stopped_search_has_a_bound_that_holds() {
     let optimum = proved.best.objective;
     assert_eq!(proved.certificate.ended, Ended::Proved);
     assert!(proved.gap() <= 1e-12);
-    let check = |outcome: Outcome, ended: Ended| {
+    let check = |outcome: Outcome<2, 1>, ended: Ended| {
         assert_eq!(outcome.certificate.ended, ended);
         let (best, bound) = (outcome.best.objective, outcome.certificate.upper_bound);
         assert!(best <= optimum * (1.0 + 1e-12) && bound >= optimum * (1.0 - 1e-12));

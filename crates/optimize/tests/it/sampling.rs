@@ -140,7 +140,7 @@ fn a_reported_placement_has_the_reported_quality() {
         let outcome = fingers(&part, &Fingers::new(4), &Effort::default(), unwatched).unwrap();
         let best = &outcome.best;
         let contacts = best.placements.iter().map(|p| {
-            let law = Law::linear(part.edge_stiffness()[p.edge]).unwrap();
+            let law = Law::linear(part.edge_stiffness()[p.on]).unwrap();
             let place = part.outline().place(p.point);
             assert!(place.distance <= 1e-14 * 3.0, "{}", place.distance);
             Contact::<2, 1>::new(Geometry::on_face(p.point, p.inward_normal, 0.0), law, p.share)
@@ -197,7 +197,7 @@ fn three_fingers_match_a_grid_of_meeting_points_and_the_second_order_stiffness()
         assert!(least.is_infinite() || least <= reach + 0.5, "{least} {reach}");
 
         let contacts = best.placements.iter().map(|p| {
-            let law = Law::linear(part.edge_stiffness()[p.edge]).unwrap();
+            let law = Law::linear(part.edge_stiffness()[p.on]).unwrap();
             Contact::<2, 1>::new(
                 Geometry::on_face(p.point, p.inward_normal, radius),
                 law,

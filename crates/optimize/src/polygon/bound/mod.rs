@@ -16,11 +16,10 @@ pub(crate) use closure::is_excluded;
 #[cfg(test)]
 pub(crate) use cut::{Cut, slack};
 pub(crate) use demand::{Demand, Verdict};
-pub(crate) use floor::{Floor, above, below};
 pub(crate) use middle::Middle;
 #[cfg(test)]
 pub(crate) use pieces::value;
-pub(crate) use pieces::{Piece, Pieces, Range};
+pub(crate) use pieces::{Pieces, Range};
 pub(crate) use relaxation::Relaxation;
 
 /// Bounds and their tests are rounded by this many units times the sizes that they are made of.

@@ -8,48 +8,13 @@ use clench_screw::{Mat, SymmetricEigen, Vector};
 
 use crate::polygon::rating::Spot;
 use crate::polygon::scene::Support;
+use crate::search::Piece;
 
 /// A box is drawn wider by this many units of rounding of the sizes that it was computed from.
 const BOX_ROUNDING: f64 = 16.0 * f64::EPSILON;
 
 /// Pieces of up to this many stretches are looked at one by one instead of by their box.
 const SCAN_LIMIT: usize = 8;
-
-/// Stretches are halved this many times at most.
-const DEEPEST: u32 = PART_BITS - 1;
-
-/// The bits of a piece that tell the part of its stretch; the others tell the group.
-const PART_BITS: u32 = 32;
-
-/// A group of stretches with like wrenches, or a dyadic part of a single one: 1 is the whole, `2 i`
-/// and `2 i + 1` are the halves of part `i`.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub(crate) struct Piece(u64);
-
-impl Piece {
-    /// The whole boundary.
-    pub(crate) const BOUNDARY: Self = Self::new(0, 1);
-
-    const fn new(group: u32, part: u64) -> Self {
-        Self((group as u64) << PART_BITS | part)
-    }
-
-    const fn group(self) -> usize {
-        (self.0 >> PART_BITS) as usize
-    }
-
-    const fn part(self) -> u64 {
-        self.0 & ((1 << PART_BITS) - 1)
-    }
-
-    /// Where it begins and ends along its stretch, if it is of one, whose length is 1.
-    pub(crate) fn along(self) -> (f64, f64) {
-        let depth = self.part().ilog2();
-        let size = (1_u64 << depth) as f64;
-        let place = (self.part() - (1 << depth)) as f64;
-        (place / size, (place + 1.0) / size)
-    }
-}
 
 /// What fingers on a piece can be: vectors, such as the scaled wrenches `p = (arm, s)` of
 /// [`super`], and the stiffness of the stretches.
@@ -188,10 +153,9 @@ impl<const D: usize> Pieces<D> {
     pub(crate) fn halves(&self, piece: Piece) -> Option<[Piece; 2]> {
         let group = &self.groups[piece.group()];
         if !group.range.is_single() {
-            return Some(group.halves.map(|half| Piece::new(half, 1)));
+            return Some(group.halves.map(Piece::whole));
         }
-        let (part, whole) = (piece.part(), piece.0 - piece.part());
-        (part.ilog2() < DEEPEST).then(|| [2 * part, 2 * part + 1].map(|half| Piece(whole + half)))
+        piece.halves()
     }
 
     /// The stretches of a piece.

@@ -6,9 +6,10 @@ use super::closure;
 use super::cut::{Cut, best_weight, slack};
 use super::demand::{Demand, Verdict};
 use super::middle::Middle;
-use super::pieces::{Piece, Pieces, value};
+use super::pieces::{Pieces, value};
 use super::{ROUNDING, arm};
 use crate::polygon::scene::Scene;
+use crate::search::Piece;
 
 /// How often the test form is improved before a node is halved instead.
 const SWEEPS: usize = 3;

@@ -3,13 +3,13 @@
 use clench_testkit::Random;
 
 use super::{each_set, enumerated, node, part, question, restricted};
-use crate::polygon::bound::{Floor, Piece};
+use crate::Objective;
 use crate::polygon::rating::{Spot, moments, rate};
 use crate::polygon::scene::Scene;
-use crate::polygon::search::Problem;
 use crate::polygon::springs::{SpringSearch, Springs};
 use crate::polygon::triplets::{TripletSearch, Triplets};
-use crate::polygon::{Fingers, Objective, ThreeFingers};
+use crate::polygon::{Fingers, ThreeFingers};
+use crate::search::{Floor, Piece, Problem};
 
 /// A floor from none to about the best.
 fn floor(r: &mut Random, best: (f64, f64)) -> Floor {
@@ -24,15 +24,10 @@ fn floor(r: &mut Random, best: (f64, f64)) -> Floor {
 }
 
 /// What a bound says of a placement on its node: it is not above, or does not exceed the floor.
-fn assert_bounded(
-    bound: Option<(f64, usize)>,
-    floor: &Floor,
-    (quality, second): (f64, f64),
-    what: &str,
-) {
+fn assert_bounded(bound: Option<f64>, floor: &Floor, (quality, second): (f64, f64), what: &str) {
     match bound {
         // The last digits of a placement are not those of its bound.
-        Some((bound, _)) => {
+        Some(bound) => {
             let limit = bound.max(floor.quality) * (1.0 + 1e-11);
             assert!(quality <= limit, "{quality} above {bound}: {what}");
         }
@@ -62,7 +57,7 @@ fn no_bound_is_below_the_best_of_the_combinations_under_it() {
         for _ in 0..30 {
             let pieces: [Piece; 4] = node(r, &search.pieces, false);
             let floor = floor(r, best);
-            let bound = search.bound(&pieces, &floor);
+            let bound = search.bound(&pieces, &floor, None).map(|b| b.bound);
             let ranges = pieces.map(|piece| search.pieces.stretches(piece));
             let mut under = (0.0, 0.0);
             each_set::<4>(scene.supports.len(), |set| {
@@ -76,7 +71,7 @@ fn no_bound_is_below_the_best_of_the_combinations_under_it() {
                         if found.quality > under.0 { (found.quality, found.second) } else { under };
                 }
             });
-            close += usize::from(bound.is_some_and(|(bound, _)| bound < 1.2 * under.0));
+            close += usize::from(bound.is_some_and(|bound| bound < 1.2 * under.0));
         }
     }
     assert!(compared > 10_000 && close > 100, "{compared} {close}");
@@ -128,7 +123,7 @@ fn no_bound_is_below_a_placement_under_it() {
             let best =
                 qualities.iter().copied().fold((0.0, 0.0), |a, b| if b.0 > a.0 { b } else { a });
             for floor in [Floor::NONE, floor(r, best), floor(r, best)] {
-                let bound = search.bound(&pieces, &floor);
+                let bound = search.bound(&pieces, &floor, None).map(|b| b.bound);
                 for &quality in &qualities {
                     assert_bounded(bound, &floor, quality, &what);
                     compared += 1;
@@ -174,7 +169,7 @@ fn no_bound_on_triplets_is_below_the_best_under_it() {
             });
             let best = under.iter().copied().fold((0.0, 0.0), |a, b| if b.0 > a.0 { b } else { a });
             for floor in [Floor::NONE, floor(r, best)] {
-                let bound = search.bound(&pieces, &floor);
+                let bound = search.bound(&pieces, &floor, None).map(|b| b.bound);
                 for &quality in &under {
                     assert_bounded(bound, &floor, quality, &what);
                     compared += 1;

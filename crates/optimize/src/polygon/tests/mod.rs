@@ -9,10 +9,11 @@ use std::f64::consts::TAU;
 use clench_shape::Polygon;
 use clench_testkit::Random;
 
-use super::bound::{Floor, Piece, Pieces};
-use super::search::Leaders;
+use super::bound::Pieces;
 use super::springs::Springs;
-use super::{Fingers, Objective, Part, Stretch};
+use super::{Fingers, Part, Stretch};
+use crate::Objective;
+use crate::search::{Floor, Leaders, Piece};
 
 /// Outlines of `n` edges, more or less: some families have their own number.
 fn outline(r: &mut Random, n: usize) -> Vec<[f64; 2]> {

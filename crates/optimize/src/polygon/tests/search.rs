@@ -3,12 +3,12 @@
 use clench_testkit::{Random, assert_close};
 
 use super::{each_set, enumerated, part, question, restricted};
-use crate::polygon::bound::Floor;
+use crate::Objective;
 use crate::polygon::scene::Scene;
-use crate::polygon::search::Leaders;
 use crate::polygon::springs::Springs;
 use crate::polygon::triplets::Triplets;
-use crate::polygon::{Fingers, Objective, ThreeFingers, fingers, three_fingers};
+use crate::polygon::{Fingers, ThreeFingers, fingers, three_fingers};
+use crate::search::{Floor, Leaders};
 use crate::{Effort, Ended, OptimizeError, unwatched};
 
 /// Enough for each family of outlines to come with each condition and objective.

@@ -1,6 +1,6 @@
 //! The best combinations found so far.
 
-use crate::polygon::bound::{Floor, below};
+use super::floor::{Floor, below};
 
 /// The best placement on one combination of `K` stretches.
 #[derive(Clone, Copy, Debug)]

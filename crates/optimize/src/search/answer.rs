@@ -2,12 +2,7 @@
 
 use super::branch::Searched;
 use super::leaders::Candidate;
-use crate::polygon::scene::Scene;
 use crate::{Certificate, Combinations, Ended, OptimizeError, Outcome, Solution};
-
-/// Where all normals are parallel up to this, `sigma_min`, of the order of its square, is lost in
-/// the rounding of the stiffnesses.
-const THIN: f64 = 1e-6;
 
 /// What a search was about, beside its problem.
 #[derive(Clone, Copy, Debug)]
@@ -15,24 +10,28 @@ pub(crate) struct Matter {
     pub(crate) fingers: usize,
     /// How many combinations of stretches there are.
     pub(crate) combinations: f64,
-    /// Whether placements had to fulfill conditions beside holding the part.
-    pub(crate) conditions: bool,
 }
 
-/// The outcome, with `confirm` turning leaders into solutions.
+/// The outcome of a search with stiffnesses in `unit`, with `confirm` turning leaders into solutions,
+/// and `nothing` saying why none is there when all is proved.
 ///
 /// # Errors
 ///
 /// Why nothing was found; the errors of `confirm` for the best.
-pub(crate) fn outcome<const K: usize, P>(
-    scene: &Scene,
+pub(crate) fn outcome<const N: usize, const M: usize, const K: usize, P>(
+    unit: f64,
     matter: Matter,
     searched: &Searched<K, P>,
-    confirm: impl Fn(&Candidate<K, P>) -> Result<Solution, OptimizeError>,
-) -> Result<Outcome, OptimizeError> {
-    let upper_bound = searched.upper_bound * scene.stiffness_unit;
+    confirm: impl Fn(&Candidate<K, P>) -> Result<Solution<N, M>, OptimizeError>,
+    nothing: impl FnOnce() -> OptimizeError,
+) -> Result<Outcome<N, M>, OptimizeError> {
+    let upper_bound = searched.upper_bound * unit;
     let Some((first, rest)) = searched.leaders.candidates().split_first() else {
-        return Err(nothing(scene, matter, searched.ended, upper_bound));
+        let (fingers, ended) = (matter.fingers, searched.ended);
+        return Err(match ended {
+            Ended::Proved => nothing(),
+            _ => OptimizeError::NothingFound { fingers, ended, upper_bound },
+        });
     };
     let best = confirm(first)?;
     // A lesser combination whose stiffness is lost in rounding is no alternative.
@@ -48,23 +47,6 @@ pub(crate) fn outcome<const K: usize, P>(
         best,
         others,
     })
-}
-
-fn nothing(scene: &Scene, matter: Matter, ended: Ended, upper_bound: f64) -> OptimizeError {
-    let Matter { fingers, combinations, conditions } = matter;
-    if ended != Ended::Proved {
-        return OptimizeError::NothingFound { fingers, ended, upper_bound };
-    }
-    let sine = scene.largest_sine();
-    if sine > 0.0 && sine <= THIN {
-        OptimizeError::TooThin { fingers, sine }
-    } else if conditions {
-        OptimizeError::ConditionsNeverMet { fingers, combinations }
-    } else if !scene.normals_balance(fingers) {
-        OptimizeError::NormalsNeverBalance { fingers, combinations }
-    } else {
-        OptimizeError::TorquesNeverBalance { fingers, combinations }
-    }
 }
 
 /// How many sets of `fingers` of `stretches` things there are, repetition allowed or not.

@@ -1,4 +1,4 @@
-//! Branch and bound over pieces of the boundary, for any number of fingers.
+//! The search itself: nodes are opened best bound first, in rounds.
 
 use std::cmp::Ordering;
 use std::collections::BinaryHeap;
@@ -7,8 +7,9 @@ use std::time::Instant;
 
 use rayon::prelude::*;
 
+use super::floor::{Floor, above, below};
 use super::leaders::{Candidate, Leaders};
-use crate::polygon::bound::{Floor, Piece, above, below};
+use super::piece::Piece;
 use crate::{Effort, Ended, Progress};
 
 /// A round takes this part of the open nodes, within these limits: few in a small search, where
@@ -21,14 +22,17 @@ const LARGEST_ROUND: usize = 2048;
 /// to wake threads takes some ten microseconds, a node about one.
 const SMALLEST_SHARE: usize = 32;
 
-/// With more open nodes than this, about 50 megabytes for four fingers, nodes are opened in
-/// the order last in, first out, which bounds their number by rounds times depth.
-const MOST_OPEN: usize = 1 << 20;
-
 /// What is searched for.
 pub(crate) trait Problem<const K: usize>: Sync {
     /// Where the fingers of a candidate are.
     type Place: Copy + Send + Sync;
+
+    /// What bounding a node found out that helps with its halves.
+    type Hint: Clone + Send + Sync;
+
+    /// With more open nodes than this, they are opened in the order last in, first out, which
+    /// bounds their number by rounds times depth.
+    const MOST_OPEN: usize;
 
     /// The two halves of a piece; `None` where there is nothing left to halve.
     fn halves(&self, piece: Piece) -> Option<[Piece; 2]>;
@@ -39,15 +43,31 @@ pub(crate) trait Problem<const K: usize>: Sync {
     /// The combination that a node is on, ascending, if its pieces are on one stretch each.
     fn combination(&self, node: &[Piece; K]) -> Option<[usize; K]>;
 
-    /// What no placement on `node` that exceeds `floor` surpasses, and the finger whose piece to
-    /// halve; `None` when no placement exceeds it.
-    fn bound(&self, node: &[Piece; K], floor: &Floor) -> Option<(f64, usize)>;
+    /// The bound of `node`; `None` when no placement on it exceeds `floor`. The hint is that of the
+    /// node that it is a half of.
+    fn bound(
+        &self,
+        node: &[Piece; K],
+        floor: &Floor,
+        hint: Option<&Self::Hint>,
+    ) -> Option<Bounded<Self::Hint>>;
 
-    /// A good placement near the middle of `node`, if one is found.
-    fn probe(&self, node: &[Piece; K]) -> Option<Candidate<K, Self::Place>>;
+    /// A good placement, if one is found: near the middle of `node`, or from a start of its own in
+    /// each round.
+    fn probe(&self, node: &[Piece; K], round: u64) -> Option<Candidate<K, Self::Place>>;
 
     /// Looks for a placement on `node`; what is found need not be on it.
     fn settle(&self, node: &[Piece; K], floor: &Floor) -> Settled<K, Self::Place>;
+}
+
+/// What is known of a node.
+#[derive(Clone, Debug)]
+pub(crate) struct Bounded<H> {
+    /// What no placement on it surpasses.
+    pub(crate) bound: f64,
+    /// The finger whose piece to halve.
+    pub(crate) split: usize,
+    pub(crate) hint: H,
 }
 
 /// What became of a node.
@@ -59,33 +79,35 @@ pub(crate) enum Settled<const K: usize, P> {
 }
 
 /// Pieces that the fingers are on, ascending.
-#[derive(Clone, Copy, Debug)]
-struct Node<const K: usize> {
-    bound: f64,
-    split: usize,
+#[derive(Clone, Debug)]
+struct Node<const K: usize, H> {
+    bounded: Bounded<H>,
     pieces: [Piece; K],
 }
 
 /// By bound, then by pieces: never by arrival.
-impl<const K: usize> Ord for Node<K> {
+impl<const K: usize, H> Ord for Node<K, H> {
     fn cmp(&self, other: &Self) -> Ordering {
-        self.bound.total_cmp(&other.bound).then_with(|| other.pieces.cmp(&self.pieces))
+        self.bounded
+            .bound
+            .total_cmp(&other.bounded.bound)
+            .then_with(|| other.pieces.cmp(&self.pieces))
     }
 }
 
-impl<const K: usize> PartialOrd for Node<K> {
+impl<const K: usize, H> PartialOrd for Node<K, H> {
     fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
         Some(self.cmp(other))
     }
 }
 
-impl<const K: usize> PartialEq for Node<K> {
+impl<const K: usize, H> PartialEq for Node<K, H> {
     fn eq(&self, other: &Self) -> bool {
         self.cmp(other) == Ordering::Equal
     }
 }
 
-impl<const K: usize> Eq for Node<K> {}
+impl<const K: usize, H> Eq for Node<K, H> {}
 
 /// How a search ended.
 #[derive(Clone, Debug)]
@@ -99,16 +121,16 @@ pub(crate) struct Searched<const K: usize, P> {
 }
 
 /// What a thread found in its share of a round.
-struct Share<const K: usize, P> {
-    open: Vec<Node<K>>,
-    candidates: Vec<Candidate<K, P>>,
+struct Share<const K: usize, P: Problem<K>> {
+    open: Vec<Node<K, P::Hint>>,
+    candidates: Vec<Candidate<K, P::Place>>,
     /// The largest bound of what was left out though it may exceed the floor.
     dropped: f64,
     nodes: u64,
     solved: u64,
 }
 
-impl<const K: usize, P> Share<K, P> {
+impl<const K: usize, P: Problem<K>> Share<K, P> {
     const fn new() -> Self {
         Self { open: Vec::new(), candidates: Vec::new(), dropped: 0.0, nodes: 0, solved: 0 }
     }
@@ -137,24 +159,25 @@ pub(crate) fn search<const K: usize, P: Problem<K>>(
 ) -> Searched<K, P::Place> {
     let unit = problem.unit();
     let started = Instant::now();
-    let mut open = Open::new();
-    let (mut nodes, mut solved, mut dropped) = (0, 0, 0.0_f64);
+    let mut open = Open::<K, P::Hint>::new(P::MOST_OPEN);
+    let (mut rounds, mut nodes, mut solved, mut dropped) = (0, 0, 0, 0.0_f64);
     let ended = loop {
         let round = Round { problem, leaders: &leaders, floor: leaders.floor(), gap: effort.gap };
-        let mut found = Share::new();
+        let mut found = Share::<K, P>::new();
         let mut probed = None;
         if nodes == 0 {
-            round.visit([Piece::BOUNDARY; K], f64::INFINITY, &mut found);
+            round.visit([Piece::BOUNDARY; K], None, &mut found);
         } else {
             let chosen = open.round();
             let first = chosen.first().map(|node| node.pieces);
-            let probe = || first.and_then(|first| problem.probe(&first));
+            let probe = || first.and_then(|first| problem.probe(&first, rounds));
             (found, probed) = if chosen.len() < 4 * SMALLEST_SHARE {
                 (round.open_some(&chosen), probe())
             } else {
                 rayon::join(|| round.open_all(&chosen), probe)
             };
         }
+        rounds += 1;
         nodes += found.nodes;
         solved += found.solved;
         dropped = dropped.max(found.dropped);
@@ -199,29 +222,30 @@ struct Round<'a, const K: usize, P: Problem<K>> {
 
 impl<const K: usize, P: Problem<K>> Round<'_, K, P> {
     /// Divides nodes, on all threads.
-    fn open_all(&self, nodes: &[Node<K>]) -> Share<K, P::Place> {
+    fn open_all(&self, nodes: &[Node<K, P::Hint>]) -> Share<K, P> {
         let shares = nodes.par_chunks(SMALLEST_SHARE).map(|nodes| self.open_some(nodes));
         shares.reduce(Share::new, Share::join)
     }
 
     /// Divides nodes.
-    fn open_some(&self, nodes: &[Node<K>]) -> Share<K, P::Place> {
+    fn open_some(&self, nodes: &[Node<K, P::Hint>]) -> Share<K, P> {
         let mut share = Share::new();
         for node in nodes {
-            if node.bound > self.threshold(&self.floor) {
+            let bound = node.bounded.bound;
+            if bound > self.threshold(&self.floor) {
                 self.halve(node, &mut share);
             } else {
-                share.dropped = share.dropped.max(node.bound);
+                share.dropped = share.dropped.max(bound);
             }
         }
         share
     }
 
     /// Bounds the nodes that halving a piece of `node` makes.
-    fn halve(&self, node: &Node<K>, share: &mut Share<K, P::Place>) {
-        let piece = node.pieces[node.split];
+    fn halve(&self, node: &Node<K, P::Hint>, share: &mut Share<K, P>) {
+        let piece = node.pieces[node.bounded.split];
         let Some([left, right]) = self.problem.halves(piece) else {
-            share.dropped = share.dropped.max(node.bound);
+            share.dropped = share.dropped.max(node.bounded.bound);
             return;
         };
         // Fingers are exchangeable: of those on this piece, the first ones go to the left half.
@@ -232,18 +256,20 @@ impl<const K: usize, P: Problem<K>> Round<'_, K, P> {
                 *p = if place < lefts { left } else { right };
             }
             pieces.sort_unstable();
-            self.visit(pieces, node.bound, share);
+            self.visit(pieces, Some(&node.bounded), share);
         }
     }
 
-    /// Bounds a node, by no more than `limit`, and looks for a placement on it.
-    fn visit(&self, pieces: [Piece; K], limit: f64, share: &mut Share<K, P::Place>) {
+    /// Bounds a node, a half of one that is bounded already, and looks for a placement on it.
+    fn visit(&self, pieces: [Piece; K], whole: Option<&Bounded<P::Hint>>, share: &mut Share<K, P>) {
         share.nodes += 1;
         let floor = self.floor_of(&pieces);
-        let Some((bound, split)) = self.problem.bound(&pieces, &floor) else { return };
-        let bound = bound.min(limit);
-        if bound <= self.threshold(&floor) {
-            share.dropped = share.dropped.max(bound);
+        let hint = whole.map(|whole| &whole.hint);
+        let Some(mut bounded) = self.problem.bound(&pieces, &floor, hint) else { return };
+        let limit = whole.map_or(f64::INFINITY, |whole| whole.bound);
+        bounded.bound = bounded.bound.min(limit);
+        if bounded.bound <= self.threshold(&floor) {
+            share.dropped = share.dropped.max(bounded.bound);
             return;
         }
         match self.problem.settle(&pieces, &floor) {
@@ -253,7 +279,7 @@ impl<const K: usize, P: Problem<K>> Round<'_, K, P> {
             }
             Settled::Open(candidate) => {
                 share.candidates.extend(candidate);
-                share.open.push(Node { bound, split, pieces });
+                share.open.push(Node { bounded, pieces });
             }
         }
     }
@@ -272,15 +298,17 @@ impl<const K: usize, P: Problem<K>> Round<'_, K, P> {
 }
 
 /// The open nodes.
-struct Open<const K: usize> {
-    heap: BinaryHeap<Node<K>>,
+struct Open<const K: usize, H> {
+    heap: BinaryHeap<Node<K, H>>,
     /// Those that the heap has no room for, opened first.
-    stack: Vec<Node<K>>,
+    stack: Vec<Node<K, H>>,
+    /// How many the heap has room for.
+    most: usize,
 }
 
-impl<const K: usize> Open<K> {
-    const fn new() -> Self {
-        Self { heap: BinaryHeap::new(), stack: Vec::new() }
+impl<const K: usize, H> Open<K, H> {
+    const fn new(most: usize) -> Self {
+        Self { heap: BinaryHeap::new(), stack: Vec::new(), most }
     }
 
     fn len(&self) -> usize {
@@ -292,12 +320,12 @@ impl<const K: usize> Open<K> {
     }
 
     fn largest(&self) -> f64 {
-        let stack = self.stack.iter().map(|n| n.bound).max_by(f64::total_cmp);
-        self.heap.peek().map_or(0.0, |n| n.bound).max(stack.unwrap_or(0.0))
+        let stack = self.stack.iter().map(|n| n.bounded.bound).max_by(f64::total_cmp);
+        self.heap.peek().map_or(0.0, |n| n.bounded.bound).max(stack.unwrap_or(0.0))
     }
 
-    fn extend(&mut self, mut nodes: Vec<Node<K>>) {
-        if self.heap.len() + nodes.len() <= MOST_OPEN {
+    fn extend(&mut self, mut nodes: Vec<Node<K, H>>) {
+        if self.heap.len() + nodes.len() <= self.most {
             self.heap.extend(nodes);
         } else {
             nodes.sort_unstable();
@@ -306,7 +334,7 @@ impl<const K: usize> Open<K> {
     }
 
     /// The nodes to open next.
-    fn round(&mut self) -> Vec<Node<K>> {
+    fn round(&mut self) -> Vec<Node<K, H>> {
         let count = (self.len() / ROUND_PART).clamp(SMALLEST_ROUND, LARGEST_ROUND);
         if self.stack.is_empty() {
             return (0..count).map_while(|_| self.heap.pop()).collect();
