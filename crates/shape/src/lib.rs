@@ -2,12 +2,13 @@
 //! deep two bodies overlap.
 //!
 //! A shape that exists is valid. A [`Polygon`] has at least three corners and a boundary that
-//! meets itself nowhere, decided exactly; a [`Polyhedron`] is closed and consistently wound; an
-//! [`Ellipsoid`] has positive semi-axes. By purpose:
+//! meets itself nowhere, decided exactly; a [`Polyhedron`] is closed, consistently wound, and
+//! does not pass through itself; an [`Ellipsoid`] has positive semi-axes. By purpose:
 //!
 //! | to ask | use |
 //! | --- | --- |
 //! | where a finger can touch, and along which normal | [`Polygon::edges`], [`Polyhedron::faces`] |
+//! | the same where sides are cut into many faces, as in a mesh | [`Polyhedron::facets`] |
 //! | the same on a round body, with the curvature | [`Ellipsoid::at_normal`], [`BoundaryPoint`] |
 //! | what of the boundary a given point lies on | [`Polygon::place`], [`Polyhedron::place`] |
 //! | the signed distance of a point | [`Ellipsoid::nearest`], [`Polyhedron::signed_distance`] |
@@ -43,7 +44,7 @@
 //! Nothing here cuts, offsets or joins shapes; for that use a geometry library. Nor does anything
 //! look for contacts between many bodies, or follow them over time; for that use a physics engine.
 //! Corners and faces are kept as they are given: an outline with a thousand corners per arc stays
-//! one. A solid whose surface crosses itself is not noticed.
+//! one. A solid whose surface passes through itself is refused, not repaired.
 
 mod error;
 
@@ -95,7 +96,7 @@ pub use place::Place;
 pub use point_hull::PointHull;
 pub use polygon::{Polygon, Winding};
 pub use polyhedron::{
-    Face, FaceFeature, FacePlace, LARGEST_SOLID_COORDINATE, Polyhedron, PolyhedronError,
+    Face, FaceFeature, FacePlace, Facet, LARGEST_SOLID_COORDINATE, Polyhedron, PolyhedronError,
     SMALLEST_SOLID_COORDINATE,
 };
 pub use reach::Reach;

@@ -10,6 +10,16 @@ pub(crate) fn turn(a: Vector<2>, b: Vector<2>, c: Vector<2>) -> f64 {
     robust::orient2d(coord(a), coord(b), coord(c))
 }
 
+/// Six times the signed volume over `a b c`: positive for `d` on the side from which they run
+/// counter-clockwise, zero in one plane only.
+///
+/// The sign is exact when the coordinates are of the order of 1. A product of three differences
+/// below 1e-300 can round to zero; to their user such points are in the plane.
+pub(crate) fn above(a: Vector<3>, b: Vector<3>, c: Vector<3>, d: Vector<3>) -> f64 {
+    let [a, b, c, d] = [a, b, c, d].map(|v| robust::Coord3D { x: v[0], y: v[1], z: v[2] });
+    -robust::orient3d(a, b, c, d)
+}
+
 /// Positive for `point` inside the circle through `a b c` (counter-clockwise), negative outside.
 ///
 /// The sign is exact when the coordinates are of the order of 1. A product of four differences

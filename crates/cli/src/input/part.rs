@@ -157,7 +157,7 @@ fn with_stiffness(
     polygon::Part::new(outline, stiffness).map_err(|e| {
         let place = Place::planar().field("stiffness");
         let place = match e {
-            OptimizeError::Stiffness { edge, .. } if each => place.item(edge),
+            OptimizeError::Stiffness { side: edge, .. } if each => place.item(edge),
             _ => place,
         };
         document.error(&place, PartFault::EdgeStiffness(Box::new(e)))

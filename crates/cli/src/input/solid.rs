@@ -108,7 +108,8 @@ fn place_of_fault(fault: &PolyhedronError) -> Place {
         | PolyhedronError::InsideOut { face, .. }
         | PolyhedronError::NestedAlike { face, .. }
         | PolyhedronError::NonManifoldEdge { faces: [_, _, face], .. }
-        | PolyhedronError::FlippedNeighbor { faces: [_, face], .. } => faces.item(face),
+        | PolyhedronError::FlippedNeighbor { faces: [_, face], .. }
+        | PolyhedronError::FacesCross { faces: [_, face], .. } => faces.item(face),
         _ => faces,
     }
 }

@@ -169,6 +169,18 @@ pub enum PolyhedronError {
         /// The two faces, the lower number first.
         faces: [usize; 2],
     },
+    /// The surface passes through itself.
+    #[error(
+        "faces {} and {} pass through each other, at ({}, {}, {}): the surface of a solid does \
+         not cross itself; join pieces that overlap into one, or move them apart",
+        .faces[0], .faces[1], .point[0], .point[1], .point[2]
+    )]
+    FacesCross {
+        /// The first such face, and the first one that it crosses.
+        faces: [usize; 2],
+        /// A point that they have in common (length).
+        point: [f64; 3],
+    },
     /// A shell, faces joined by edges, encloses nothing, to the rounding of the coordinates.
     #[error(
         "the solid is flat at face {face}: with all faces joined to it, it encloses a volume of \

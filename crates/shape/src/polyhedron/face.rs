@@ -3,6 +3,7 @@
 use clench_screw::{Vector, spatial};
 
 use super::PolyhedronError;
+use super::ears::ears;
 use crate::predicates::turn;
 use crate::validity::checked_hull;
 
@@ -75,6 +76,17 @@ impl Face {
     /// The ends of the edges, in the order of the vertices.
     pub(super) fn edges(&self) -> impl Iterator<Item = [usize; 2]> {
         edges_of(&self.vertices)
+    }
+
+    /// Triangles of its vertices that cover it exactly once, seen along the axis along which it is
+    /// widest; counter-clockwise seen from outside.
+    pub(super) fn triangles(&self, vertices: &[Vector<3>]) -> Vec<[usize; 3]> {
+        if let [a, b, c] = self.vertices[..] {
+            return vec![[a, b, c]];
+        }
+        let flat = |&corner: &usize| flattened(vertices[corner], self.inward_normal);
+        let outline: Vec<Vector<2>> = self.vertices.iter().map(flat).collect();
+        ears(&outline).into_iter().map(|corners| corners.map(|i| self.vertices[i])).collect()
     }
 
     /// Whether a point of the face's plane is within its outline.

@@ -121,7 +121,7 @@ impl Shells<'_> {
     /// The shells around the one with these faces, unless it is wound as their number needs.
     ///
     /// One vertex tells, if it is not on another shell. If a vertex that fits is found after one
-    /// that does not, then the shell crosses another, which is not what is looked for here.
+    /// that does not, then the shell passes through another by what only rounding explains.
     fn around_if_misplaced(
         &self,
         faces: &[usize],

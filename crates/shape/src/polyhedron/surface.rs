@@ -36,18 +36,30 @@ pub(super) struct FaceTree {
 }
 
 impl FaceTree {
-    pub(super) fn new(vertices: &[Vector<3>], faces: &[Face], largest: f64) -> Self {
+    /// Of faces with these corners, whose coordinates are up to `largest`.
+    pub(super) fn new<'a>(
+        vertices: &[Vector<3>],
+        faces: impl Iterator<Item = &'a [usize]>,
+        largest: f64,
+    ) -> Self {
         let scale = unit_scale(largest);
-        let boxes: Vec<Aabb> = faces
-            .iter()
-            .map(|face| {
-                let corners = face.vertices().iter().map(|&c| to_parry(vertices[c] * scale));
-                corners.fold(Aabb::new_invalid(), |around, corner| {
-                    Aabb::new(around.mins.min(corner), around.maxs.max(corner))
-                })
-            })
-            .collect();
+        let boxes: Vec<Aabb> = faces.map(|corners| box_around(vertices, corners, scale)).collect();
         Self { boxes: Bvh::from_leaves(BvhBuildStrategy::Binned, &boxes), scale }
+    }
+
+    /// All faces, those near each other soon after each other.
+    pub(super) fn in_order(&self) -> impl Iterator<Item = usize> + '_ {
+        self.boxes.leaves(|_: &BvhNode| true).map(|face| face as usize)
+    }
+
+    /// The faces whose boxes meet that of these corners.
+    pub(super) fn overlapping(
+        &self,
+        vertices: &[Vector<3>],
+        corners: &[usize],
+    ) -> impl Iterator<Item = usize> + '_ {
+        let around = BvhNode::leaf(box_around(vertices, corners, self.scale), 0);
+        self.boxes.leaves(move |node: &BvhNode| node.intersects(&around)).map(|face| face as usize)
     }
 
     /// The faces whose boxes, wider by `margin` to all sides, the ray from `point` along the
@@ -174,6 +186,13 @@ pub(super) fn faces_along(edges: &[SolidEdge], ends: [usize; 2]) -> Option<[usiz
     let found = edges.binary_search_by_key(&ends, |edge| edge.vertices).ok()?;
     let [one, other] = edges[found].faces;
     Some([one.min(other), one.max(other)])
+}
+
+fn box_around(vertices: &[Vector<3>], corners: &[usize], scale: f64) -> Aabb {
+    let points = corners.iter().map(|&corner| to_parry(vertices[corner] * scale));
+    points.fold(Aabb::new_invalid(), |around, point| {
+        Aabb::new(around.mins.min(point), around.maxs.max(point))
+    })
 }
 
 fn to_parry(v: Vector<3>) -> ParryVector {

@@ -9,8 +9,10 @@
 )]
 
 mod cases;
+mod crossings;
 mod deepest;
 mod ellipsoid;
+mod facets;
 mod laws;
 mod limits;
 mod polyhedron;

@@ -1,12 +1,12 @@
 //! What is no solid, each with its exact error; and solids of extreme size.
 
-use clench_screw::spatial;
+use clench_screw::{Vector, spatial};
 use clench_shape::{
     LARGEST_SOLID_COORDINATE, PolygonError, Polyhedron, PolyhedronError, SMALLEST_SOLID_COORDINATE,
 };
 use clench_testkit::{Random, assert_close};
 
-use crate::solids::{Mesh, cuboid, prism, solid, turned};
+use crate::solids::{Mesh, cuboid, prism, rough_ball, solid, turned};
 
 /// The corner of a cube; edges from vertex 0 along the axes.
 fn corner() -> Mesh {
@@ -144,6 +144,88 @@ fn holes_and_flipped_and_extra_faces_are_found_at_their_edges() {
     });
     let faces = [0, 3, 4];
     refused(&extra, PolyhedronError::NonManifoldEdge { vertices: [1, 2], faces, count: 3 });
+}
+
+/// A ball of triangles with one thing changed, and what is wrong with it.
+fn damaged(change: impl FnOnce(&mut Vec<[[f64; 3]; 3]>)) -> PolyhedronError {
+    let mut mesh = rough_ball(&mut Random::new(46), 3, 1.2);
+    change(&mut mesh);
+    Polyhedron::from_triangles(&mesh).unwrap_err()
+}
+
+#[test]
+fn damaged_meshes_are_refused_with_the_triangles_at_fault() {
+    use PolyhedronError as Fault;
+    let fault = damaged(Vec::clear);
+    assert_eq!(fault, Fault::TooFewVertices { count: 0 });
+    let fault = damaged(|mesh| mesh.truncate(3));
+    assert_eq!(fault, Fault::TooFewFaces { count: 3 });
+    let fault = damaged(|mesh| mesh[77][1] = mesh[77][2]);
+    assert!(matches!(fault, Fault::RepeatedCorner { face: 77, .. }), "{fault:?}");
+    let fault = damaged(|mesh| {
+        let [a, b, _] = mesh[77].map(Vector::new);
+        mesh[77][2] = ((a + b) * 0.5).to_array();
+    });
+    assert!(matches!(fault, Fault::ZeroAreaFace { face: 77, .. }), "{fault:?}");
+    let fault = damaged(|mesh| {
+        mesh.remove(77);
+    });
+    assert!(matches!(fault, Fault::OpenEdge { .. }), "{fault:?}");
+    let fault = damaged(|mesh| mesh[77].reverse());
+    let Fault::FlippedNeighbor { faces, .. } = fault else { panic!("{fault:?}") };
+    assert!(faces.contains(&77), "{fault:?}");
+    // A triangle that is there twice, and one turned over that lies on it.
+    let fault = damaged(|mesh| mesh.push(mesh[77]));
+    let Fault::NonManifoldEdge { faces, count: 3, .. } = fault else { panic!("{fault:?}") };
+    assert!(faces[2] == 512 && faces.contains(&77), "{fault:?}");
+    let fault = damaged(|mesh| {
+        let [a, b, c] = mesh[77];
+        mesh.push([a, c, b]);
+    });
+    assert!(matches!(fault, Fault::NonManifoldEdge { count: 3, .. }), "{fault:?}");
+    // All of it twice.
+    let fault = damaged(|mesh| mesh.extend(mesh.clone()));
+    assert!(matches!(fault, Fault::NonManifoldEdge { count: 4, .. }), "{fault:?}");
+    // The same ball a little to the side, and a smaller one inside.
+    let moved = |mesh: &[[[f64; 3]; 3]], share: f64, shift: f64| -> Vec<[[f64; 3]; 3]> {
+        mesh.iter().map(|t| t.map(|[x, y, z]| [x * share + shift, y * share, z * share])).collect()
+    };
+    let fault = damaged(|mesh| mesh.extend(moved(mesh, 1.0, 0.25)));
+    let Fault::FacesCross { faces: [0..512, 512..1024], point } = fault else {
+        panic!("{fault:?}")
+    };
+    assert!(Vector::new(point).norm() < 1.2, "{point:?}");
+    let fault = damaged(|mesh| mesh.extend(moved(mesh, 0.5, 0.0)));
+    assert_eq!(fault, Fault::NestedAlike { face: 512, around: 0 });
+}
+
+#[test]
+fn a_triangle_that_is_missing_is_named_by_an_edge_and_its_neighbor() {
+    let mesh = rough_ball(&mut Random::new(46), 3, 1.2);
+    let part = Polyhedron::from_triangles(&mesh).unwrap();
+    let vertices: Vec<[f64; 3]> = part.vertices().iter().map(|v| v.to_array()).collect();
+    let faces: Vec<Vec<usize>> = part.faces().iter().map(|f| f.vertices().to_vec()).collect();
+    for missing in [0, 77, 511] {
+        let mut left = faces.clone();
+        let gone = left.swap_remove(missing);
+        let fault = Polyhedron::new(&vertices, &left).unwrap_err();
+        let PolyhedronError::OpenEdge { vertices: ends, face } = fault else { panic!("{fault:?}") };
+        for end in ends {
+            assert!(gone.contains(&end) && left[face].contains(&end), "{fault:?}");
+        }
+    }
+}
+
+#[test]
+fn many_triangles_in_each_others_way_are_refused_soon() {
+    let r = &mut Random::new(47);
+    let mut triangles = Vec::new();
+    for _ in 0..50_000 {
+        let [a, b, c, d]: [[f64; 3]; 4] = std::array::from_fn(|_| r.array(1.0));
+        triangles.extend([[a, c, b], [a, b, d], [b, c, d], [c, a, d]]);
+    }
+    let fault = Polyhedron::from_triangles(&triangles).unwrap_err();
+    assert!(matches!(fault, PolyhedronError::FacesCross { faces: [0, _], .. }), "{fault:?}");
 }
 
 #[test]

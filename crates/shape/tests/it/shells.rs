@@ -157,7 +157,7 @@ fn shells_in_shells_are_accepted_in_one_winding_only() {
 }
 
 #[test]
-fn shells_that_touch_or_cross_are_left_alone() {
+fn shells_that_touch_are_left_alone() {
     let base = cube(1.0, [0.0; 3]);
     // A slot along y, filled by a block; a pocket, filled too.
     let slot = [[-3.0, -3.0], [3.0, -3.0], [3.0, 3.0], [1.0, 3.0], [1.0, -1.0], [-1.0, -1.0]];
@@ -167,10 +167,9 @@ fn shells_that_touch_or_cross_are_left_alone() {
         (base.clone(), cube(0.5, [0.25, 0.25, 1.5])),
         (base.clone(), cube(0.5, [0.25, 1.5, 0.25])),
         (base.clone(), cube(0.5, [1.5, 0.25, 0.25])),
-        // Edge on face, vertex on face, and crossing.
+        // Edge on edge, the ends of one within the other; and a vertex on a vertex.
         (base.clone(), cube(0.5, [1.5, 1.5, 0.25])),
-        (base.clone(), cube(0.5, [0.5, 0.5, 0.75])),
-        (base.clone(), cube(0.75, [0.5, 0.5, 0.5])),
+        (base.clone(), cube(0.5, [1.5, 1.5, 1.5])),
         (prism(&slot, 2.0), turned(&cuboid([1.0, 1.5, 1.0]), &at([0.0, 0.5, 0.0]))),
         (prism(&slot, 2.0), turned(&cuboid([1.0, 2.0, 2.0]), &at([0.0, 1.0, 0.0]))),
     ];

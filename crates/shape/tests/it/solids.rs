@@ -23,6 +23,25 @@ pub(crate) fn prism(outline: &[[f64; 2]], h: f64) -> Mesh {
     (level(-h).chain(level(h)).collect(), faces)
 }
 
+/// An L from `z = -1` to 1, its foot along x with a square hole along y: 12 sides, of which those
+/// with the hole are two faces each.
+pub(crate) fn bracket() -> Mesh {
+    let outline = [[0.0, 0.0], [4.0, 0.0], [4.0, 1.0], [1.0, 1.0], [1.0, 4.0], [0.0, 4.0]];
+    let (mut vertices, mut faces) = prism(&outline, 1.0);
+    let hole = [[2.0, -0.5], [3.0, -0.5], [3.0, 0.5], [2.0, 0.5]];
+    vertices.extend(hole.map(|[x, z]| [x, 0.0, z]));
+    vertices.extend(hole.map(|[x, z]| [x, 1.0, z]));
+    faces[2] = vec![0, 1, 7, 14, 13, 12];
+    faces.push(vec![0, 12, 15, 14, 7, 6]);
+    faces[4] = vec![2, 3, 9, 19, 16, 17];
+    faces.push(vec![2, 17, 18, 19, 9, 8]);
+    for i in 0..4 {
+        let j = (i + 1) % 4;
+        faces.push(vec![12 + i, 12 + j, 16 + j, 16 + i]);
+    }
+    (vertices, faces)
+}
+
 /// A ring of square cross-section, not triangles: 4 `n` faces, Euler characteristic 0.
 pub(crate) fn ring(n: usize) -> Mesh {
     let profile = [[2.0, -0.5], [3.0, -0.5], [3.0, 0.5], [2.0, 0.5]];
