@@ -6,7 +6,8 @@ use std::fmt;
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub enum Input {
-    /// The width (0) or height (1) of the whole picture, in world units.
+    /// The width (0) or height (1) of the whole picture, in world units; of a solid its side
+    /// along x (0), y (1) or z (2).
     Extent,
     /// A corner of the part's outline.
     Outline,
@@ -48,6 +49,20 @@ pub enum Input {
     Veil(usize),
     /// A named point of a chart.
     ChartMark,
+    /// A corner of the face with this index: those of its loops first, then of its triangles.
+    Face(usize),
+    /// The outward normal of a face.
+    FaceNormal,
+    /// The point of a screw axis.
+    AxisPoint,
+    /// The direction of a screw axis.
+    AxisDirection,
+    /// The point that gives way most.
+    WorstPoint,
+    /// The direction in which that point gives way.
+    WorstDirection,
+    /// The direction towards the viewer.
+    View,
 }
 
 impl fmt::Display for Input {
@@ -74,6 +89,13 @@ impl fmt::Display for Input {
             Self::Band(band) => write!(f, "band {band}"),
             Self::Veil(veil) => write!(f, "veil {veil}"),
             Self::ChartMark => f.write_str("mark"),
+            Self::Face(face) => write!(f, "face {face}"),
+            Self::FaceNormal => f.write_str("face normal"),
+            Self::AxisPoint => f.write_str("axis point"),
+            Self::AxisDirection => f.write_str("axis direction"),
+            Self::WorstPoint => f.write_str("worst point"),
+            Self::WorstDirection => f.write_str("worst direction"),
+            Self::View => f.write_str("view"),
         }
     }
 }
@@ -168,6 +190,25 @@ pub enum DrawError {
         finger: usize,
         /// The length of its normal.
         length: f64,
+    },
+    /// A solid without a face.
+    #[error("the solid has no face")]
+    NoFaces,
+    /// A face's outward normal is not of unit length, to the accuracy of a drawing.
+    #[error("the outward normal of face {face} has length {length} instead of 1")]
+    FaceNormalNotUnit {
+        /// The face's index, from zero.
+        face: usize,
+        /// The length of its normal.
+        length: f64,
+    },
+    /// A direction of length zero.
+    #[error("{input}: entry {index} has length 0, which is no direction")]
+    NoDirection {
+        /// What the direction belongs to.
+        input: Input,
+        /// Which one, from zero.
+        index: usize,
     },
     /// A farthest corner is given without the center it is farthest from.
     #[error("a farthest corner is given without a center of compliance")]

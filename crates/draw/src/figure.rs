@@ -26,6 +26,7 @@ const HIGHLIGHT: f64 = 0.4;
 const BORDER: f64 = 12.0;
 
 /// A finished picture, from [`GraspPicture::figure`](crate::GraspPicture::figure),
+/// [`SolidPicture::figure`](crate::SolidPicture::figure),
 /// [`ContactPicture::figure`](crate::ContactPicture::figure),
 /// [`EnergyEllipsoids::figure`](crate::EnergyEllipsoids::figure) or
 /// [`Chart::figure`](crate::Chart::figure).

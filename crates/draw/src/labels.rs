@@ -62,15 +62,33 @@ impl Labels {
         }
     }
 
-    /// Writes a label as near as can be to where it is wanted; it becomes an obstacle.
-    pub(crate) fn write(&mut self, figure: &mut Figure, text: &Text, spot: Spot) {
-        let [width, height] = text.page_size();
-        let center = self.place([width + PADDING, height], figure.to_page(spot.at), spot);
-        figure.caption(center, text);
+    /// Whether a box touches no obstacle.
+    pub(crate) fn is_free(&self, area: &PageBox) -> bool {
+        self.cost(area) <= 0.0
     }
 
-    /// The center on the page for a label of this size at a page position.
-    fn place(&mut self, size: [f64; 2], at: [f64; 2], spot: Spot) -> [f64; 2] {
+    /// Writes a label as near as can be to where it is wanted; it becomes an obstacle.
+    pub(crate) fn write(&mut self, figure: &mut Figure, text: &Text, spot: Spot) {
+        self.write_at_best(figure, text, &[spot]);
+    }
+
+    /// Writes a label at the first of several spots where it covers least.
+    pub(crate) fn write_at_best(&mut self, figure: &mut Figure, text: &Text, spots: &[Spot]) {
+        let [width, height] = text.page_size();
+        let size = [width + PADDING, height];
+        let mut best = (f64::INFINITY, [0.0; 2]);
+        for &spot in spots {
+            let (cost, center) = self.place(size, figure.to_page(spot.at), spot);
+            if cost < best.0 {
+                best = (cost, center);
+            }
+        }
+        self.boxes.push(PageBox::centered(best.1, size));
+        figure.caption(best.1, text);
+    }
+
+    /// What it costs to write a label of this size at a page position, and its center there.
+    fn place(&self, size: [f64; 2], at: [f64; 2], spot: Spot) -> (f64, [f64; 2]) {
         let Spot { toward, gap, .. } = spot;
         let mut best = (f64::INFINITY, at);
         for turn in TURNS {
@@ -87,8 +105,7 @@ impl Labels {
                 }
             }
         }
-        self.boxes.push(PageBox::centered(best.1, size));
-        best.1
+        best
     }
 
     fn cost(&self, label: &PageBox) -> f64 {

@@ -1,8 +1,9 @@
-//! Pictures of parts, fingers, contacts and energy ellipsoids, and charts.
+//! Pictures of parts and solids, fingers, contacts and energy ellipsoids, and charts.
 //!
 //! | to draw | use |
 //! | --- | --- |
 //! | a planar part with its fingers, center of compliance and numbers | [`GraspPicture`] |
+//! | a polyhedral solid with its fingers, screw axes and worst point | [`SolidPicture`] |
 //! | the cross-section of one contact, to scale | [`ContactPicture`] |
 //! | the energy ellipsoids of a planar grasp in two frames | [`EnergyEllipsoids`] |
 //! | how numbers change along one variable | [`Chart`] |
@@ -14,8 +15,8 @@
 //! program found. Pictures are SVG text; with the feature `png` also PNG files, whose letters
 //! come from a bundled font. The same input gives the same bytes.
 //!
-//! It is not a plotting library: a chart shows a few curves in one field, and a scene of solids
-//! other than the two ellipsoids is better served by a renderer.
+//! It is not a plotting library: a chart shows a few curves in one field, and a scene of several
+//! solids other than the two ellipsoids is better served by a renderer.
 //!
 //! LBR is Lin, Burdick, Rimon, "A Quality Measure for Compliant Grasps".
 //!
@@ -43,6 +44,8 @@
 
 mod grasp;
 
+mod solid;
+
 mod contact;
 
 mod energy;
@@ -63,6 +66,7 @@ mod ticks;
 
 mod error;
 mod number;
+mod view;
 mod world_map;
 
 pub use chart::{Band, Chart, ChartAxis, ChartMark, Curve, LineStyle, Tick, Veil};
@@ -74,3 +78,4 @@ pub use grasp::{Finger, GraspPicture, Mark, Region, Way};
 pub use paint::Color;
 #[cfg(feature = "png")]
 pub use png::RASTER_LIMIT;
+pub use solid::{SolidAxis, SolidFace, SolidFinger, SolidMark, SolidPicture, SolidWorst};

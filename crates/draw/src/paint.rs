@@ -16,6 +16,8 @@ impl Color {
     pub const INK: Self = Self::new([0x1e, 0x22, 0x28]);
     /// Secondary lines and text.
     pub const GREY: Self = Self::new([0x6b, 0x72, 0x7c]);
+    /// Lines behind something.
+    pub(crate) const PALE: Self = Self::new([0x90, 0x95, 0x9d]);
     /// The inside of a part.
     pub const PART: Self = Self::new([0xe9, 0xed, 0xf2]);
     /// Paper.
@@ -26,6 +28,9 @@ impl Color {
     pub const ORANGE: Self = Self::new([0xd5, 0x65, 0x0a]);
     /// Third accent.
     pub const GREEN: Self = Self::new([0x00, 0x80, 0x60]);
+
+    /// Fourth accent; as dark as blue in grey print.
+    pub(crate) const PURPLE: Self = Self::new([0x8a, 0x1f, 0x75]);
 
     /// An opaque color from its red, green and blue bytes.
     #[must_use]
@@ -73,6 +78,8 @@ pub(crate) enum Dash {
     Dashed,
     /// Short dashes for what is hidden behind something else.
     Dotted,
+    /// A chain line, of long dashes and dots in turn: for axes.
+    Chain,
 }
 
 /// How a line is drawn; widths are in page units.
@@ -102,6 +109,11 @@ impl Stroke {
         Self { color, width, dash: Dash::Dotted }
     }
 
+    /// A chain line.
+    pub(crate) const fn chain(color: Color, width: f64) -> Self {
+        Self { color, width, dash: Dash::Chain }
+    }
+
     fn write(self, svg: &mut String) {
         self.color.write(svg, "stroke");
         let _ = write!(svg, " stroke-width=\"{}\"", number(self.width));
@@ -109,6 +121,7 @@ impl Stroke {
             Dash::Solid => {}
             Dash::Dashed => svg.push_str(" stroke-dasharray=\"5 3.5\""),
             Dash::Dotted => svg.push_str(" stroke-dasharray=\"2 2.5\""),
+            Dash::Chain => svg.push_str(" stroke-dasharray=\"10 3 2 3\""),
         }
     }
 }

@@ -3,12 +3,12 @@
 use crate::energy::EnergyEllipsoids;
 use crate::energy::scene::Scene;
 use crate::energy::surface::{EnergySpace, EnergySurface};
-use crate::energy::view::View;
 use crate::error::{DrawError, Input};
 use crate::figure::Figure;
 use crate::number::readable;
 use crate::paint::{Color, Stroke};
 use crate::text::{Anchor, SMALL_SIZE, TITLE_SIZE, Text};
+use crate::view::View;
 use crate::world_map::finite;
 
 /// Page units per unit of the scene, in which the larger ellipsoid is two wide.

@@ -1,11 +1,11 @@
 //! The energy ellipsoids of one planar grasp in two frames.
 
 mod drawing;
+mod hiding;
 mod pieces;
 mod scene;
 mod surface;
 mod surroundings;
-mod view;
 
 use crate::error::{DrawError, Input};
 use crate::figure::Figure;

@@ -9,8 +9,9 @@ use std::f64::consts::TAU;
 use clench_screw::Vector;
 use clench_screw::spatial::cross;
 
+use crate::energy::hiding::ON_SURFACE;
 use crate::energy::surface::{EnergySpace, EnergySurface, SpaceEllipse};
-use crate::energy::view::{ON_SURFACE, View};
+use crate::view::View;
 
 /// Points on each curve that bounds a piece.
 const SAMPLES: u32 = 240;

@@ -5,12 +5,13 @@ use std::f64::consts::{PI, TAU};
 use clench_screw::Vector;
 
 use crate::arc::EllipseArc;
+use crate::energy::hiding::{hides, runs};
 use crate::energy::pieces::{meeting_planes, pieces, section};
 use crate::energy::surface::{EnergySpace, EnergySurface, SpaceEllipse};
-use crate::energy::view::{View, hides, runs};
 use crate::figure::Figure;
 use crate::paint::{Color, Paint, Stroke};
 use crate::text::{LABEL_SIZE, Text};
+use crate::view::View;
 
 /// The length of the horizontal axes against the floor's half-width, and how far the vertical
 /// one rises above the ceiling.
@@ -83,7 +84,8 @@ impl Scene<'_> {
     }
 
     pub(crate) fn arc(&self, ellipse: &SpaceEllipse) -> EllipseArc {
-        self.view.project_ellipse(ellipse)
+        let axes = ellipse.axes.map(|axis| self.view.project(axis));
+        EllipseArc::ellipse(self.view.project(ellipse.center), axes)
     }
 
     /// A point of a surface: full where it is seen, hollow where a solid hides it.

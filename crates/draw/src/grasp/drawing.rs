@@ -65,7 +65,7 @@ pub(crate) fn draw(picture: &GraspPicture, plot: PageBox) -> Result<Figure, Draw
     drawing.corner_labels();
     drawing.mark_labels();
     caption::write(&mut drawing.figure, &picture.caption);
-    drawing.title();
+    caption::heading(&mut drawing.figure, picture.title.as_deref());
     Ok(drawing.figure)
 }
 

@@ -4,7 +4,7 @@ use crate::grasp::Mark;
 use crate::grasp::drawing::{Drawing, PAD, WEDGE};
 use crate::labels::Spot;
 use crate::paint::Color;
-use crate::text::{Anchor, LABEL_SIZE, TITLE_SIZE, Text};
+use crate::text::{LABEL_SIZE, Text};
 
 impl Drawing<'_> {
     pub(crate) fn finger_labels(&mut self) {
@@ -61,15 +61,6 @@ impl Drawing<'_> {
         }
         let text = Text::new(label, LABEL_SIZE).colored(color).with_halo();
         self.labels.write(&mut self.figure, &text, Spot { at, toward, gap });
-    }
-
-    pub(crate) fn title(&mut self) {
-        let Some(title) = &self.picture.title else {
-            return;
-        };
-        let ink = self.figure.ink();
-        let text = Text::new(title.as_str(), TITLE_SIZE).anchored(Anchor::Start);
-        self.figure.caption([ink.min[0], ink.min[1] - 1.4 * TITLE_SIZE], &text);
     }
 }
 

@@ -10,7 +10,7 @@ use crate::paper::{CENTER, ellipsoids, grasp, points};
 use crate::svg::assert_well_formed;
 
 /// The input and index of a number that is not finite.
-fn not_finite<T: std::fmt::Debug>(result: Result<T, DrawError>) -> (Input, usize) {
+pub(crate) fn not_finite<T: std::fmt::Debug>(result: Result<T, DrawError>) -> (Input, usize) {
     match result {
         Err(DrawError::NotFinite { input, index, value }) if !value.is_finite() => (input, index),
         other => panic!("{other:?}"),

@@ -7,4 +7,7 @@ mod limits;
 mod paper;
 #[cfg(feature = "png")]
 mod png;
+mod solid;
+mod solid_limits;
+mod solids;
 mod svg;

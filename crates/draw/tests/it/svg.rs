@@ -5,6 +5,7 @@ use clench_draw::{DrawError, EnergySpace, Figure, Finger, GraspPicture};
 use crate::chart::chart;
 use crate::contact::contacts;
 use crate::paper::{ellipsoids, grasp};
+use crate::solids::{held_bracket, held_cube, held_sphere, held_torus};
 
 /// Panics unless the tags nest, attributes are quoted and every number is finite.
 pub(crate) fn assert_well_formed(svg: &str) {
@@ -57,6 +58,9 @@ fn all_pictures() -> Result<Vec<Figure>, DrawError> {
         figures.push(picture.figure()?);
     }
     figures.push(chart([1.0, 1.0])?.figure());
+    for picture in [held_cube(), held_bracket(), held_sphere(2), held_torus()] {
+        figures.push(picture.figure()?);
+    }
     Ok(figures)
 }
 

@@ -1,10 +1,8 @@
-//! Solids seen in parallel projection, and which parts of a curve they hide.
+//! Which parts of a curve the ellipsoids hide.
 
 use clench_screw::Vector;
-use clench_screw::spatial::cross;
 
-use crate::arc::EllipseArc;
-use crate::energy::surface::{EnergySurface, SpaceEllipse};
+use crate::energy::surface::EnergySurface;
 
 /// How far off the unit sphere the image of a point of the surface may be by rounding: some 2^5
 /// operations, each wrong by the condition of the map, which is below 2^17 for any ellipsoid
@@ -14,36 +12,6 @@ pub(crate) const ON_SURFACE: f64 = (1u32 << 22) as f64 * f64::EPSILON;
 /// Places at which a curve's visibility is sampled before the changes are bisected.
 const SAMPLES: u32 = 180;
 const BISECTIONS: u32 = 30;
-
-/// A direction to look from, at the origin, with the third coordinate up.
-#[derive(Debug, Clone, Copy)]
-pub(crate) struct View {
-    pub(crate) right: Vector<3>,
-    pub(crate) up: Vector<3>,
-    /// From the scene to the eye.
-    pub(crate) eye: Vector<3>,
-}
-
-impl View {
-    /// The view from an azimuth about the vertical and an elevation, in degrees.
-    pub(crate) fn from_angles(azimuth: f64, elevation: f64) -> Self {
-        let (sin_a, cos_a) = azimuth.to_radians().sin_cos();
-        let (sin_e, cos_e) = elevation.to_radians().sin_cos();
-        let right = Vector::new([-sin_a, cos_a, 0.0]);
-        let eye = Vector::new([cos_e * cos_a, cos_e * sin_a, sin_e]);
-        Self { right, up: cross(eye, right), eye }
-    }
-
-    pub(crate) fn project(&self, point: Vector<3>) -> [f64; 2] {
-        [self.right.dot(point), self.up.dot(point)]
-    }
-
-    /// The projection of an ellipse is an ellipse with the projected half-diameters.
-    pub(crate) fn project_ellipse(&self, ellipse: &SpaceEllipse) -> EllipseArc {
-        let axes = ellipse.axes.map(|axis| self.project(axis));
-        EllipseArc::ellipse(self.project(ellipse.center), axes)
-    }
-}
 
 /// A piece of a curve that is seen, or hidden, throughout.
 #[derive(Debug, Clone, Copy, PartialEq)]
