@@ -8,19 +8,21 @@ use crate::Ended;
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum OptimizeError {
-    /// The number of edge stiffnesses is not the number of edges.
-    #[error("found {found} edge stiffnesses, but the outline has {edges} edges")]
+    /// The number of stiffnesses is not the number of edges, or of faces.
+    #[error("found {found} stiffnesses, but there are {sides} edges or faces")]
     StiffnessCount {
         /// How many were given.
         found: usize,
-        /// How many edges there are.
-        edges: usize,
+        /// How many edges or faces there are.
+        sides: usize,
     },
-    /// An edge stiffness is not positive and finite.
-    #[error("the stiffness of edge {edge} is {value}, but has to be a positive finite number")]
+    /// A stiffness is not positive and finite.
+    #[error(
+        "the stiffness of edge or face {side} is {value}, but has to be a positive finite number"
+    )]
     Stiffness {
-        /// The edge, from 0.
-        edge: usize,
+        /// The edge or face, from 0.
+        side: usize,
         /// What was found.
         value: f64,
     },
@@ -47,9 +49,9 @@ pub enum OptimizeError {
         /// The last edge of the outline.
         last: usize,
     },
-    /// The largest edge stiffness is too many times the smallest.
+    /// The largest stiffness is too many times the smallest.
     #[error(
-        "the edge stiffnesses go from {smallest:e} to {largest:e}: their ratio has to be below \
+        "the stiffnesses go from {smallest:e} to {largest:e}: their ratio has to be below \
          {limit:e}, or the smaller ones are lost in the rounding of the larger ones"
     )]
     StiffnessSpread {
@@ -178,6 +180,116 @@ pub enum OptimizeError {
         /// The number of fingers.
         fingers: usize,
         /// The number of combinations of stretches.
+        combinations: f64,
+    },
+    /// The body's points have no hull in the range of numbers.
+    #[error("the body's extreme points are out of the range of numbers")]
+    Extent,
+    /// Two faces in one plane have different stiffnesses.
+    #[error(
+        "faces {a} and {b} are in one plane and have different stiffnesses: a finger between \
+         them would have either",
+        a = faces[0],
+        b = faces[1]
+    )]
+    UnlikeStiffness {
+        /// The faces.
+        faces: [usize; 2],
+    },
+    /// The point of a given contact or candidate is not finite.
+    #[error("the point of contact {number} is {point:?}, but has to be finite")]
+    TouchPoint {
+        /// Its number, from 0.
+        number: usize,
+        /// What was found.
+        point: [f64; 3],
+    },
+    /// The normal of a given contact or candidate is not a unit vector.
+    #[error("the inward normal of contact {number} has the length {length}, but has to be 1")]
+    TouchNormal {
+        /// Its number, from 0.
+        number: usize,
+        /// What was found.
+        length: f64,
+    },
+    /// The stiffness of a given contact or candidate is not positive and finite.
+    #[error("the stiffness of contact {number} is {value}, but has to be a positive finite number")]
+    TouchStiffness {
+        /// Its number, from 0.
+        number: usize,
+        /// What was found.
+        value: f64,
+    },
+    /// Fewer than seven frictionless contacts never hold a solid to first order.
+    #[error(
+        "{placed} fingers and {given} given contacts are {total}: it takes {fewest} frictionless \
+         contacts to hold a solid",
+        total = placed + given,
+        fewest = crate::polyhedron::FEWEST_CONTACTS
+    )]
+    TooFewContacts {
+        /// How many fingers were to be placed.
+        placed: usize,
+        /// How many contacts were given.
+        given: usize,
+    },
+    /// More contacts than the shares of a preload are computed for.
+    #[error("{found} contacts in all are too many: at most {most} can be balanced")]
+    TooManyContacts {
+        /// How many there would be.
+        found: usize,
+        /// [`crate::polyhedron::MOST_CONTACTS`].
+        most: usize,
+    },
+    /// There are fewer candidates than fingers.
+    #[error("{found} candidates are too few for {fingers} fingers")]
+    TooFewCandidates {
+        /// How many there are.
+        found: usize,
+        /// How many fingers were to be placed.
+        fingers: usize,
+    },
+    /// The limit for levers below which a motion is free is negative, or 1 or more.
+    #[error("the roundness is {value}, but has to be from 0 to below 1")]
+    Roundness {
+        /// What was found.
+        value: f64,
+    },
+    /// No force on the surface has much of a lever on some motion, as on a round body.
+    #[error(
+        "without friction the part can always move: {motion}; no force on its surface has a lever \
+         of more than {lever:.2e} of the part's reach on that",
+        motion = crate::polyhedron::described(motion)
+    )]
+    MotionStaysFree {
+        /// The motion, in the frame of the part.
+        motion: clench_screw::Screw,
+        /// How many independent motions are free so.
+        count: usize,
+        /// The largest lever, as a part of the largest deflection.
+        lever: f64,
+    },
+    /// All forces that contacts can have help one motion.
+    #[error(
+        "no placement of {fingers} frictionless fingers holds the part: it can always escape \
+         along one motion, {motion}, which no force on it opposes",
+        motion = crate::polyhedron::described(motion)
+    )]
+    AlwaysEscapes {
+        /// The number of fingers to be placed.
+        fingers: usize,
+        /// The motion, in the frame of the part.
+        motion: clench_screw::Screw,
+    },
+    /// Each combination was excluded, none by one motion for all.
+    #[error(
+        "no placement of {fingers} frictionless fingers holds the part: on each of \
+         {combinations} combinations some motion stays free"
+    )]
+    NeverHeld {
+        /// The number of fingers to be placed.
+        fingers: usize,
+        /// The number of combinations.
         combinations: f64,
     },
     /// The search was stopped before it found a placement.

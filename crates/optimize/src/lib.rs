@@ -23,8 +23,10 @@
 //! ```
 
 pub mod polygon;
+pub mod polyhedron;
 
 mod search;
+mod shares;
 
 mod effort;
 mod objective;

@@ -53,13 +53,13 @@ impl Part {
     /// [`OptimizeError::StiffnessCount`], [`OptimizeError::Stiffness`],
     /// [`OptimizeError::StiffnessSpread`].
     pub fn new(outline: Polygon, edge_stiffness: Vec<f64>) -> Result<Self, OptimizeError> {
-        let (found, edges) = (edge_stiffness.len(), outline.edges().len());
-        if found != edges {
-            return Err(OptimizeError::StiffnessCount { found, edges });
+        let (found, sides) = (edge_stiffness.len(), outline.edges().len());
+        if found != sides {
+            return Err(OptimizeError::StiffnessCount { found, sides });
         }
         let fault = |k: &f64| !(*k > 0.0 && k.is_finite());
-        if let Some(edge) = edge_stiffness.iter().position(fault) {
-            return Err(OptimizeError::Stiffness { edge, value: edge_stiffness[edge] });
+        if let Some(side) = edge_stiffness.iter().position(fault) {
+            return Err(OptimizeError::Stiffness { side, value: edge_stiffness[side] });
         }
         let smallest = edge_stiffness.iter().copied().fold(f64::INFINITY, f64::min);
         let largest = edge_stiffness.iter().copied().fold(0.0, f64::max);

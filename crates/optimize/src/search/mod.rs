@@ -1,5 +1,6 @@
 //! Branch and bound over pieces of the boundary of a part, for any number of fingers.
 
+pub(crate) mod boxes;
 mod floor;
 mod piece;
 

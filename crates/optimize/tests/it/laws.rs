@@ -168,7 +168,7 @@ fn ties_are_broken_by_the_numbers_of_the_edges() {
         .solutions()
         .filter(|s| (s.quality.value / best.quality.value - 1.0).abs() < 1e-12)
         .filter(|s| (s.quality.equivalent() / best.quality.equivalent() - 1.0).abs() < 1e-12)
-        .map(clench_optimize::Solution::edges)
+        .map(clench_optimize::Solution::touched)
         .collect();
     assert!(tied.len() >= 3 && tied.is_sorted(), "{tied:?}");
 }

@@ -23,13 +23,13 @@ fn rectangle() -> Part {
 fn each_edge_needs_one_positive_stiffness() {
     let outline = || Polygon::new(&RECTANGLE).unwrap();
     let fault = Part::new(outline(), vec![1.0; 3]).unwrap_err();
-    assert_eq!(fault, OptimizeError::StiffnessCount { found: 3, edges: 4 });
+    assert_eq!(fault, OptimizeError::StiffnessCount { found: 3, sides: 4 });
     for value in [0.0, -1.0, f64::INFINITY] {
         let fault = Part::new(outline(), vec![1.0, 1.0, value, 1.0]).unwrap_err();
-        assert_eq!(fault, OptimizeError::Stiffness { edge: 2, value });
+        assert_eq!(fault, OptimizeError::Stiffness { side: 2, value });
     }
     let fault = Part::uniform(outline(), f64::NAN).unwrap_err();
-    assert!(matches!(fault, OptimizeError::Stiffness { edge: 0, value } if value.is_nan()));
+    assert!(matches!(fault, OptimizeError::Stiffness { side: 0, value } if value.is_nan()));
 }
 
 #[test]

@@ -17,8 +17,6 @@ pub(crate) use closure::is_excluded;
 pub(crate) use cut::{Cut, slack};
 pub(crate) use demand::{Demand, Verdict};
 pub(crate) use middle::Middle;
-#[cfg(test)]
-pub(crate) use pieces::value;
 pub(crate) use pieces::{Pieces, Range};
 pub(crate) use relaxation::Relaxation;
 

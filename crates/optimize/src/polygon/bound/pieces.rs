@@ -4,14 +4,12 @@
     reason = "there are fewer than twice as many groups as stretches, which are in memory"
 )]
 
-use clench_screw::{Mat, SymmetricEigen, Vector};
+use clench_screw::{Mat, Vector};
 
 use crate::polygon::rating::Spot;
 use crate::polygon::scene::Support;
 use crate::search::Piece;
-
-/// A box is drawn wider by this many units of rounding of the sizes that it was computed from.
-const BOX_ROUNDING: f64 = 16.0 * f64::EPSILON;
+use crate::search::boxes::{BOX_ROUNDING, arrange, largest_in_box, principal_box, spread, value};
 
 /// Pieces of up to this many stretches are looked at one by one instead of by their box.
 const SCAN_LIMIT: usize = 8;
@@ -43,26 +41,8 @@ impl<const D: usize> Range<D> {
 
     /// How much `linear . p` changes from the center to an end of the box.
     pub(crate) fn spread(&self, linear: Vector<D>) -> f64 {
-        self.axes.iter().map(|axis| axis.dot(linear).abs()).sum()
+        spread(&self.axes, linear)
     }
-
-    /// An upper bound of `p^T form p + linear . p` over the box; `form` is symmetric.
-    fn largest_in_box(&self, form: &Mat<D, D>, linear: Vector<D>) -> f64 {
-        let images = self.axes.map(|axis| *form * axis);
-        let mut rise = self.spread(*form * self.center * 2.0 + linear);
-        for j in 0..D {
-            rise += self.axes[j].dot(images[j]).max(0.0);
-            for i in 0..j {
-                rise += 2.0 * self.axes[i].dot(images[j]).abs();
-            }
-        }
-        value(form, linear, self.center) + rise
-    }
-}
-
-/// `p^T form p + linear . p`.
-pub(crate) fn value<const D: usize>(form: &Mat<D, D>, linear: Vector<D>, p: Vector<D>) -> f64 {
-    (*form * p + linear).dot(p)
 }
 
 /// A node of the tree.
@@ -195,7 +175,7 @@ impl<const D: usize> Pieces<D> {
         }
         let (first, end) = (of.first as usize, of.end as usize);
         if end - first > SCAN_LIMIT {
-            return of.largest_in_box(form, linear);
+            return largest_in_box(form, linear, of.center, &of.axes);
         }
         let ends = self.ends[first..end].as_flattened();
         ends.iter().map(|&p| value(form, linear, p)).fold(f64::NEG_INFINITY, f64::max)
@@ -250,58 +230,4 @@ impl<const D: usize> Pieces<D> {
             stiffness_spread: 0.5 * (stiffest - softest),
         }
     }
-}
-
-/// Sorts the numbers of points so that halving the list again and again keeps neighbors together:
-/// each time by the place along the longest principal axis.
-fn arrange<const D: usize>(points: &[Vector<D>], order: &mut [usize]) {
-    if order.len() < 3 {
-        return;
-    }
-    let of = |order: &[usize]| order.iter().map(|&i| points[i]).collect::<Vec<_>>();
-    let (_, axes) = principal_axes(of(order).into_iter());
-    let axis = axes[D - 1];
-    let along = |i: usize| points[i].dot(axis);
-    let middle = usize::midpoint(0, order.len());
-    order.select_nth_unstable_by(middle, |&i, &j| along(i).total_cmp(&along(j)).then(i.cmp(&j)));
-    let (left, right) = order.split_at_mut(middle);
-    arrange(points, left);
-    arrange(points, right);
-}
-
-/// The mean of points and their principal axes, the longest one last.
-fn principal_axes<const D: usize>(
-    points: impl Iterator<Item = Vector<D>> + Clone,
-) -> (Vector<D>, [Vector<D>; D]) {
-    let count = points.clone().count() as f64;
-    let mean = points.clone().fold(Vector::ZERO, |sum, p| sum + p) * count.recip();
-    let covariance = points.fold(Mat::<D, D>::ZERO, |sum, p| sum + Mat::outer(p - mean, p - mean));
-    // Any axes will do; principal ones make thin boxes.
-    let axes = SymmetricEigen::new(&covariance).map_or_else(
-        |_| std::array::from_fn(|j| Vector::from_fn(|i| if i == j { 1.0 } else { 0.0 })),
-        |eigen| eigen.vectors,
-    );
-    (mean, axes)
-}
-
-/// The box around `points` along their principal axes, each component in its unit.
-fn principal_box<const D: usize>(
-    points: &[Vector<D>],
-    units: Vector<D>,
-) -> (Vector<D>, [Vector<D>; D]) {
-    let unscaled = |p: Vector<D>| Vector::from_fn(|i| p[i] * units[i]);
-    let points = points.iter().map(|p| Vector::<D>::from_fn(|i| p[i] / units[i]));
-    let (mean, axes) = principal_axes(points.clone());
-    let (mut low, mut high, mut size) = ([f64::INFINITY; D], [f64::NEG_INFINITY; D], 0.0_f64);
-    for p in points {
-        size = size.max(p.max_abs());
-        for j in 0..D {
-            let along = axes[j].dot(p - mean);
-            low[j] = low[j].min(along);
-            high[j] = high[j].max(along);
-        }
-    }
-    let center = (0..D).fold(mean, |sum, j| sum + axes[j] * (0.5 * (low[j] + high[j])));
-    let half = |j: usize| 0.5 * (high[j] - low[j]) + BOX_ROUNDING * size;
-    (unscaled(center), std::array::from_fn(|j| unscaled(axes[j] * half(j))))
 }

@@ -6,10 +6,11 @@ use super::closure;
 use super::cut::{Cut, best_weight, slack};
 use super::demand::{Demand, Verdict};
 use super::middle::Middle;
-use super::pieces::{Pieces, value};
+use super::pieces::Pieces;
 use super::{ROUNDING, arm};
 use crate::polygon::scene::Scene;
 use crate::search::Piece;
+use crate::search::boxes::value;
 
 /// How often the test form is improved before a node is halved instead.
 const SWEEPS: usize = 3;

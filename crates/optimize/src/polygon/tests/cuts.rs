@@ -7,11 +7,12 @@ use clench_testkit::Random;
 
 use super::node;
 use crate::Objective;
-use crate::polygon::bound::{Cut, Demand, Middle, closure_cuts, slack, value};
+use crate::polygon::bound::{Cut, Demand, Middle, closure_cuts, slack};
 use crate::polygon::rating::{Spot, moments, rate};
 use crate::polygon::scene::Scene;
 use crate::polygon::{Fingers, Part};
 use crate::search::Piece;
+use crate::search::boxes::value;
 
 /// How much `cut` leaves to a placement, less than 0 if it excludes it, without its slack.
 fn left<const K: usize>(cut: &Cut<K>, wrenches: &[Vector<3>; K]) -> f64 {
