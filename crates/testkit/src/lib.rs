@@ -12,6 +12,7 @@
 pub mod cases;
 mod close;
 mod random;
+pub mod solids;
 
 pub use close::{assert_all_close, assert_close};
 pub use random::Random;

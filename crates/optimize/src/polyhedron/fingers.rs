@@ -50,13 +50,14 @@ pub struct Fingers {
 }
 
 impl Fingers {
-    /// `count` fingers of best quality, without conditions.
+    /// `count` fingers of the best worst-point stiffness, without conditions: that objective is
+    /// continuous, and its bounds are the tightest.
     #[must_use]
     pub const fn new(count: usize) -> Self {
         Self {
             count,
             fixed: Vec::new(),
-            objective: Objective::Quality,
+            objective: Objective::WorstPoint,
             most_on_face: 3,
             least_share: 0.0,
             roundness: ROUNDNESS,

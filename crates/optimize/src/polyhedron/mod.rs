@@ -40,3 +40,6 @@ pub(crate) fn described(motion: &Screw) -> String {
         ),
     }
 }
+
+#[cfg(test)]
+mod tests;

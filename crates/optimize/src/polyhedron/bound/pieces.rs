@@ -221,6 +221,23 @@ impl<'a> Pieces<'a> {
         Corners { few, many: Some(&self.corners[start as usize..end as usize]), in_box }
     }
 
+    /// Whether a spot is on a piece, to rounding.
+    #[cfg(test)]
+    pub(crate) fn holds(&self, piece: Piece, spot: &Spot) -> bool {
+        let patch = &self.patches[spot.patch];
+        let group = &self.groups[piece.group()];
+        if !self.patches(piece).contains(&spot.patch) {
+            return false;
+        }
+        match (group.triangle, group.halves) {
+            (Some(triangle), _) => {
+                crate::polyhedron::tests::is_on(patch, &part_of(triangle, piece.part()), spot)
+            }
+            (None, Some(halves)) => halves.iter().any(|&half| self.holds(Piece::whole(half), spot)),
+            (None, None) => true,
+        }
+    }
+
     /// A place near the middle of a piece.
     pub(crate) fn middle(&self, piece: Piece) -> Spot {
         let patches = self.patches(piece);

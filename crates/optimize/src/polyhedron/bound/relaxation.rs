@@ -13,7 +13,7 @@ use crate::search::boxes::value;
 use crate::search::{Bounded, Floor, Piece, above, below};
 
 /// Cuts that are added where none is inherited, and where one is.
-const FIRST_CUTS: usize = 12;
+const FIRST_CUTS: usize = 16;
 const NEXT_CUTS: usize = 4;
 
 /// Steps of the golden section for the weight of a cut.
@@ -267,9 +267,14 @@ impl<'a> Relaxation<'a> {
 
     /// The finger whose piece raises the bound most by its extent.
     fn split(&self, pieces: &[Piece], node: &Node<'_>, cut: &Cut) -> usize {
+        let several = node.normals.is_none();
         let mut most = (0, f64::NEG_INFINITY);
         for (i, (corners, &piece)) in node.fingers.iter().zip(pieces).enumerate() {
             if self.pieces.halves(piece).is_none() {
+                continue;
+            }
+            // Which patches first: all else is known better then.
+            if several != (self.pieces.patches(piece).len() > 1) {
                 continue;
             }
             let all = corners.all();
