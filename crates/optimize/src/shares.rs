@@ -16,6 +16,18 @@ pub(crate) struct Shares {
     pub(crate) rounding: f64,
 }
 
+/// A set of wrenches that span their space.
+#[derive(Clone, Copy, Debug)]
+struct Set<const D: usize> {
+    numbers: [usize; D],
+    /// Of the sum of all wrenches in the set.
+    coordinates: [f64; D],
+    /// What shares are divided by.
+    total: f64,
+    least: f64,
+    rounding: f64,
+}
+
 /// The shares of the preload with which these unit wrenches balance, with the largest least share
 /// where there is a choice; `None` where the wrenches do not span their space.
 ///
@@ -26,7 +38,7 @@ pub(crate) fn shares<const D: usize>(wrenches: &[Vector<D>]) -> Option<Shares> {
     let count = wrenches.len();
     let sum = wrenches.iter().fold(Vector::ZERO, |sum, &w| sum + w);
     let sizes: Vec<f64> = wrenches.iter().map(|w| w.norm()).collect();
-    let mut best: Option<(f64, f64, [usize; D], [f64; D], f64)> = None;
+    let mut best: Option<Set<D>> = None;
     let mut set: [usize; D] = std::array::from_fn(|i| i);
     if count < D {
         return None;
@@ -40,17 +52,19 @@ pub(crate) fn shares<const D: usize>(wrenches: &[Vector<D>]) -> Option<Shares> {
             let size: f64 = set.iter().map(|&i| sizes[i]).product();
             let largest = coordinates.iter().fold(1.0_f64, |m, a| m.max(a.abs()));
             let rounding = ROUNDING * size * largest / (volume * total.abs());
-            if total.abs() > 0.0 && best.is_none_or(|b| least - rounding > b.0 - b.1) {
-                best = Some((least, rounding, set, coordinates, total));
+            if total.abs() > 0.0
+                && best.is_none_or(|best| least - rounding > best.least - best.rounding)
+            {
+                best = Some(Set { numbers: set, coordinates, total, least, rounding });
             }
         }
         if !next_set(&mut set, count) {
             break;
         }
     }
-    let (least, rounding, set, coordinates, total) = best?;
+    let Set { numbers, coordinates, total, least, rounding } = best?;
     let mut all = vec![total.recip(); count];
-    for (&i, a) in set.iter().zip(coordinates) {
+    for (&i, a) in numbers.iter().zip(coordinates) {
         all[i] = (1.0 - a) / total;
     }
     Some(Shares { all, least, rounding })

@@ -200,6 +200,7 @@ impl<const K: usize> Problem<K> for SpringSearch<'_> {
 
     /// About 50 megabytes for four fingers.
     const MOST_OPEN: usize = 1 << 20;
+    const NODES_PER_PROBE: u64 = 0;
 
     fn halves(&self, piece: Piece) -> Option<[Piece; 2]> {
         self.pieces.halves(piece)

@@ -249,6 +249,7 @@ impl Problem<3> for TripletSearch<'_> {
     type Hint = ();
 
     const MOST_OPEN: usize = 1 << 20;
+    const NODES_PER_PROBE: u64 = 0;
 
     fn halves(&self, piece: Piece) -> Option<[Piece; 2]> {
         self.springs.halves(piece)

@@ -4,13 +4,14 @@ use fastrand::Rng;
 
 use super::rating::{Rating, Spot, Worth};
 use super::scene::{Patch, across};
+use super::summit::climbed;
 
 /// So many placements by chance are rated for a start; the best is where the ascent begins.
 const TRIALS: usize = 64;
 
 /// Steps along faces go from this part of the part's radius to this one.
 const LONGEST_STEP: f64 = 0.5;
-const SHORTEST_STEP: f64 = 1e-5;
+const SHORTEST_STEP: f64 = 1e-3;
 
 /// From one length of steps to the next.
 const SHORTENED: f64 = 0.6;
@@ -46,7 +47,7 @@ impl<'a> Ascent<'a> {
 
     /// The best placement that an ascent from a start by chance arrives at; `None` if it does not
     /// hold.
-    pub(super) fn from_chance<const K: usize>(&mut self) -> Option<Climber<K>> {
+    pub(super) fn by_chance<const K: usize>(&mut self) -> Option<Climber<K>> {
         let mut best: Climber<K> = (Worth::Loose(f64::NEG_INFINITY), [self.spot(); K]);
         for _ in 0..TRIALS {
             let spots = std::array::from_fn(|_| self.spot());
@@ -59,11 +60,8 @@ impl<'a> Ascent<'a> {
 
     /// The best placement that an ascent from there arrives at; `None` if it does not hold.
     pub(super) fn from<const K: usize>(&mut self, start: Climber<K>) -> Option<Climber<K>> {
-        let mut best = self.climbed(start);
-        matches!(best.0, Worth::Held(..)).then(|| {
-            best = self.climbed(best);
-            best
-        })
+        let best = self.climbed(start);
+        matches!(best.0, Worth::Held(..)).then(|| climbed(self.rating, best))
     }
 
     /// The best placement that changing the patch of one finger at a time, to any other one, and
@@ -84,7 +82,7 @@ impl<'a> Ascent<'a> {
             if best.0 <= before {
                 break;
             }
-            best = self.climbed(best);
+            best = climbed(self.rating, self.climbed(best));
         }
         best
     }
@@ -111,7 +109,7 @@ impl<'a> Ascent<'a> {
             let mut idle = 0;
             while idle < PATIENCE * K {
                 let mut spots = best.1;
-                for _ in 0..1 + self.rng.usize(0..2) {
+                for _ in 0..=self.rng.usize(0..2) {
                     let finger = self.rng.usize(0..K);
                     spots[finger] = self.moved(spots[finger], step);
                 }

@@ -7,7 +7,7 @@ use clench_shape::ExtremePoints;
 use super::bound::Pieces;
 use super::rating::Rating;
 use super::scene::Scene;
-use super::spatial_search::SpatialSearch;
+use super::search::SpatialSearch;
 use super::touch::Touch;
 use super::{Part, part};
 use crate::search::{Leaders, Matter, choose, outcome, search};

@@ -5,6 +5,7 @@ use clench_screw::{Stiffness, Vector, Wrench};
 
 use super::Fingers;
 use super::scene::Scene;
+use super::vectors::{first, second};
 use crate::Objective;
 use crate::search::below;
 use crate::shares::shares;
@@ -53,7 +54,8 @@ impl Rating<'_> {
         self.objectives(spots)
     }
 
-    fn least(&self) -> f64 {
+    /// The least share that counts as pushing.
+    pub(super) fn least(&self) -> f64 {
         self.fingers.least_share.max(PUSHING)
     }
 
@@ -69,7 +71,7 @@ impl Rating<'_> {
     }
 
     /// All unit wrenches: of the fingers, then of the fixed contacts.
-    fn unit_wrenches(&self, spots: &[Spot]) -> Vec<Vector<6>> {
+    pub(super) fn unit_wrenches(&self, spots: &[Spot]) -> Vec<Vector<6>> {
         let placed = spots.iter().map(|s| self.scene.patches[s.patch].unit_wrench(s.point));
         placed.chain(self.scene.fixed.iter().map(|&(wrench, _)| wrench)).collect()
     }
@@ -82,15 +84,19 @@ impl Rating<'_> {
 
     /// What is maximized and what among ties, whether or not the forces balance.
     fn objectives(&self, spots: &[Spot]) -> Option<Worth> {
+        self.worth(&self.principal(spots)?)
+    }
+
+    /// The principal parameters of the stiffness about the scene's center.
+    pub(super) fn principal(&self, spots: &[Spot]) -> Option<Principal<3, 3>> {
         let patches = &self.scene.patches;
         let placed = spots.iter().map(|s| patches[s.patch].wrench(s.point));
         let fixed = self.scene.fixed.iter().map(|&(wrench, weight)| wrench * weight);
-        let principal = Principal::of(Vector::ZERO, &stiffness(placed.chain(fixed))).ok()?;
-        self.worth(&principal)
+        Principal::of(Vector::ZERO, &stiffness(placed.chain(fixed))).ok()
     }
 
     /// The same from the principal parameters.
-    pub(super) fn worth(&self, principal: &Principal<3, 3>) -> Option<Worth> {
+    fn worth(&self, principal: &Principal<3, 3>) -> Option<Worth> {
         let body = &self.scene.extremes;
         match self.fingers.objective {
             Objective::WorstPoint => {
@@ -116,8 +122,6 @@ impl Rating<'_> {
 /// The stiffness of scaled wrenches, about the scene's center.
 pub(super) fn stiffness(wrenches: impl Iterator<Item = Vector<6>>) -> Stiffness<3, 3> {
     wrenches.fold(Stiffness::ZERO, |sum, p| {
-        let [a, b, c, d, e, f] = p.to_array();
-        let (force, torque) = (Vector::new([a, b, c]), Vector::new([d, e, f]));
-        sum + Stiffness::outer(&Wrench { force, torque })
+        sum + Stiffness::outer(&Wrench { force: first(p), torque: second(p) })
     })
 }

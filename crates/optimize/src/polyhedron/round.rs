@@ -4,6 +4,7 @@ use clench_screw::spatial::cross;
 use clench_screw::{Mat, SymmetricEigen, Vector};
 
 use super::scene::Scene;
+use super::vectors::{first, second};
 use crate::OptimizeError;
 
 /// Levers below this part are none, whatever roundness is asked for: rounding.
@@ -53,8 +54,7 @@ pub(super) fn check(scene: &Scene<'_>, roundness: f64) -> Result<(), OptimizeErr
 
 /// The velocity of the point `x` by a twist `(v, omega)`.
 fn velocity(twist: Vector<6>, x: Vector<3>) -> Vector<3> {
-    let [a, b, c, d, e, f] = twist.to_array();
-    Vector::new([a, b, c]) + cross(Vector::new([d, e, f]), x)
+    first(twist) + cross(second(twist), x)
 }
 
 fn axis(j: usize) -> Vector<6> {

@@ -4,6 +4,7 @@ use clench_screw::spatial::cross;
 use clench_screw::{Twist, Vector};
 use clench_shape::{ExtremePoints, Facet};
 
+use super::vectors::{first, joined, second};
 use super::{Fingers, Part, Touch, round};
 use crate::OptimizeError;
 
@@ -16,7 +17,7 @@ pub(super) struct Patch {
     pub(super) weight: f64,
     /// The triangles that cover it; none if it is a point.
     pub(super) triangles: Vec<[Vector<3>; 3]>,
-    /// The corners of its convex hull; of a point, the point.
+    /// The corners of its convex hull, one after the other; of a point, the point.
     pub(super) corners: Vec<Vector<3>>,
 }
 
@@ -44,8 +45,7 @@ impl Patch {
 
     /// The unit wrench of a force at `point`.
     pub(super) fn unit_wrench(&self, point: Vector<3>) -> Vector<6> {
-        let (n, m) = (self.normal, cross(point, self.normal));
-        Vector::new([n[0], n[1], n[2], m[0], m[1], m[2]])
+        joined(self.normal, cross(point, self.normal))
     }
 
     /// The scaled wrench `p = sqrt(k) (n, x x n)`.
@@ -58,6 +58,20 @@ impl Patch {
         let size = |t: &&[Vector<3>; 3]| cross(t[1] - t[0], t[2] - t[0]).norm_squared();
         let largest = self.triangles.iter().max_by(|a, b| size(a).total_cmp(&size(b)));
         largest.map_or(self.corners[0], |[a, b, c]| (*a + *b + *c) * (1.0 / 3.0))
+    }
+
+    /// The edges of its convex hull, seen from `point`: the unit normal away from it, in the plane of
+    /// the patch, and how far the edge is.
+    pub(super) fn borders(&self, point: Vector<3>) -> impl Iterator<Item = (Vector<3>, f64)> + '_ {
+        let count = if self.is_point() { 0 } else { self.corners.len() };
+        let middle = self.corners.iter().fold(Vector::ZERO, |sum, &x| sum + x);
+        let middle = middle * (self.corners.len() as f64).recip();
+        (0..count).filter_map(move |i| {
+            let (a, b) = (self.corners[i], self.corners[(i + 1) % count]);
+            let across = cross(b - a, self.normal).direction()?;
+            let out = if across.dot(middle - a) > 0.0 { -across } else { across };
+            Some((out, out.dot(a - point).max(0.0)))
+        })
     }
 
     /// The point of the patch nearest to `point`, which is in its plane.
@@ -156,8 +170,7 @@ impl<'a> Scene<'a> {
 
     /// A twist about the frame's origin, in the units of the part, from one in the scene's.
     pub(super) fn unscaled_twist(&self, twist: Vector<6>) -> Twist<3, 3> {
-        let linear = Vector::new([twist[0], twist[1], twist[2]]) * self.radius;
-        let angular = Vector::new([twist[3], twist[4], twist[5]]);
+        let (linear, angular) = (first(twist) * self.radius, second(twist));
         // The velocity of the point that is at the frame's origin.
         Twist { linear: linear - cross(angular, self.center), angular }
     }
@@ -202,9 +215,12 @@ fn hull(points: &[Vector<3>], normal: Vector<3>) -> Vec<Vector<3>> {
     ExtremePoints::<2>::new(&flat).map_or_else(
         |_| points.to_vec(),
         |extremes| {
-            let mut numbers = extremes.numbers().to_vec();
-            numbers.sort_unstable();
-            numbers.into_iter().map(|number| points[number]).collect()
+            let mut corners: Vec<_> = extremes.numbers().iter().map(|&n| points[n]).collect();
+            let count = (corners.len() as f64).recip();
+            let middle = corners.iter().fold(Vector::ZERO, |sum, &x| sum + x) * count;
+            let angle = |x: Vector<3>| (x - middle).dot(v).atan2((x - middle).dot(u));
+            corners.sort_by(|&a, &b| angle(a).total_cmp(&angle(b)));
+            corners
         },
     )
 }

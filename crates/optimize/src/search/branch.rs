@@ -34,6 +34,9 @@ pub(crate) trait Problem<const K: usize>: Sync {
     /// bounds their number by rounds times depth.
     const MOST_OPEN: usize;
 
+    /// A probe is made once in so many nodes, and no more than one in a round.
+    const NODES_PER_PROBE: u64;
+
     /// The two halves of a piece; `None` where there is nothing left to halve.
     fn halves(&self, piece: Piece) -> Option<[Piece; 2]>;
 
@@ -52,9 +55,9 @@ pub(crate) trait Problem<const K: usize>: Sync {
         hint: Option<&Self::Hint>,
     ) -> Option<Bounded<Self::Hint>>;
 
-    /// A good placement, if one is found: near the middle of `node`, or from a start of its own in
-    /// each round.
-    fn probe(&self, node: &[Piece; K], round: u64) -> Option<Candidate<K, Self::Place>>;
+    /// A good placement, if one is found: near the middle of `node`, or from a start of its own for
+    /// each number.
+    fn probe(&self, node: &[Piece; K], number: u64) -> Option<Candidate<K, Self::Place>>;
 
     /// Looks for a placement on `node`; what is found need not be on it.
     fn settle(&self, node: &[Piece; K], floor: &Floor) -> Settled<K, Self::Place>;
@@ -160,7 +163,7 @@ pub(crate) fn search<const K: usize, P: Problem<K>>(
     let unit = problem.unit();
     let started = Instant::now();
     let mut open = Open::<K, P::Hint>::new(P::MOST_OPEN);
-    let (mut rounds, mut nodes, mut solved, mut dropped) = (0, 0, 0, 0.0_f64);
+    let (mut probes, mut nodes, mut solved, mut dropped) = (0, 0, 0, 0.0_f64);
     let ended = loop {
         let round = Round { problem, leaders: &leaders, floor: leaders.floor(), gap: effort.gap };
         let mut found = Share::<K, P>::new();
@@ -170,14 +173,17 @@ pub(crate) fn search<const K: usize, P: Problem<K>>(
         } else {
             let chosen = open.round();
             let first = chosen.first().map(|node| node.pieces);
-            let probe = || first.and_then(|first| problem.probe(&first, rounds));
+            let due = nodes >= probes * P::NODES_PER_PROBE;
+            let first = first.filter(|_| due);
+            let number = probes;
+            probes += u64::from(due);
+            let probe = || first.and_then(|first| problem.probe(&first, number));
             (found, probed) = if chosen.len() < 4 * SMALLEST_SHARE {
                 (round.open_some(&chosen), probe())
             } else {
                 rayon::join(|| round.open_all(&chosen), probe)
             };
         }
-        rounds += 1;
         nodes += found.nodes;
         solved += found.solved;
         dropped = dropped.max(found.dropped);

@@ -3,10 +3,12 @@
 mod closure;
 mod cut;
 mod cylinder;
+mod node;
 mod pieces;
 mod relaxation;
 
 pub(crate) use closure::{Contacts, helped_twist};
+pub(crate) use cut::Cut;
 pub(crate) use cylinder::least_cylinder_squared;
 pub(crate) use pieces::Pieces;
 pub(crate) use relaxation::{Hint, Relaxation};

@@ -1,34 +1,31 @@
 //! Upper bounds over all placements of spring fingers on some pieces of the surface.
 
 use clench_metrics::{EquivalentStiffness, Principal, WorstPoint};
-use clench_screw::{Cholesky, Mat, SymmetricEigen, Vector, Wrench};
+use clench_screw::Vector;
 
-use super::closure::{Contacts, helps_all, normals_balance};
-use super::cut::Cut;
-use super::pieces::{Corners, Pieces};
-use super::{ROUNDING, least_cylinder_squared};
+use super::cut::{Cut, Limits};
+use super::least_cylinder_squared;
+use super::node::{Node, Normals};
+use super::pieces::Pieces;
 use crate::Objective;
 use crate::polyhedron::rating::{Rating, stiffness};
 use crate::search::boxes::value;
-use crate::search::{Bounded, Floor, Piece, above, below};
+use crate::search::{Bounded, Floor, Piece, above};
 
 /// Cuts that are added where none is inherited, and where one is.
 const FIRST_CUTS: usize = 16;
 const NEXT_CUTS: usize = 4;
 
-/// Steps of the golden section for the weight of a cut.
-const SECTIONS: usize = 10;
-
-/// The golden section.
+/// Steps of the search for the weight of a cut, and the golden section.
+const SECTIONS: usize = 9;
 const GOLDEN: f64 = 0.618_033_988_749_894_9;
 
-/// The bounds; see [`super`] for their derivation.
+/// The bounds; see [`super::super`] for their derivation.
 #[derive(Debug)]
 pub(crate) struct Relaxation<'a> {
     rating: Rating<'a>,
     pieces: &'a Pieces<'a>,
-    /// The square of a radius that no cylinder around the body falls below, times its axis' unit
-    /// rotation: what any principal rotation moves the body by, at least.
+    /// No cylinder around the body has a smaller radius squared.
     cylinder_squared: f64,
 }
 
@@ -39,38 +36,10 @@ pub(crate) struct Hint {
     normals: Option<Normals>,
 }
 
-/// What is the same for all placements on one combination of patches.
-#[derive(Clone, Copy, Debug)]
-struct Normals {
-    /// `K_11`, and the least and the largest that `sigma_min` can be, up to rounding.
-    translational: Mat<3, 3>,
-    sigma: (f64, f64),
-}
-
-/// A node with what is known of it.
-struct Node<'a> {
-    fingers: Vec<Corners<'a>>,
-    fixed: &'a [(Vector<6>, f64)],
-    /// Where all are known.
-    normals: Option<Normals>,
-    /// The sum of all stiffnesses, at most.
-    size: f64,
-}
-
-impl Node<'_> {
-    fn sigma(&self) -> f64 {
-        self.normals.map_or(0.0, |normals| normals.sigma.0)
-    }
-
-    /// What no placement surpasses by a cut.
-    fn bound(&self, cut: &Cut) -> f64 {
-        let placed: f64 = self.fingers.iter().map(|corners| corners.largest(&cut.form)).sum();
-        let fixed = self.fixed.iter();
-        let fixed: f64 = fixed.map(|&(w, k)| value(&cut.form, Vector::ZERO, w) * k * k).sum();
-        // Unit wrenches about the middle of the part have squares of at most 2.
-        let rounding = ROUNDING * cut.form.max_abs() * 12.0 * self.size;
-        cut.largest_objective(placed + fixed + rounding, self.sigma())
-    }
+/// A cut, and the bound of a node by it.
+struct Best {
+    bound: f64,
+    cut: Cut,
 }
 
 impl<'a> Relaxation<'a> {
@@ -82,199 +51,118 @@ impl<'a> Relaxation<'a> {
     /// The bound of a node; `None` when no placement on it exceeds `floor`.
     pub(crate) fn bound(
         &self,
-        node: &[Piece],
+        pieces: &[Piece],
         floor: &Floor,
         hint: Option<&Hint>,
     ) -> Option<Bounded<Hint>> {
-        if self.is_crowded(node) {
-            return None;
-        }
-        let known = self.node(node, hint)?;
-        let most = self.largest_by_translation(&known);
-        if most <= above(floor.quality) {
-            return None;
-        }
-        let (bound, cut) = self.best_cut(&known, floor, hint.map(|hint| &hint.cut))?;
-        let split = self.split(node, &known, &cut);
-        let hint = Hint { cut, normals: known.normals };
-        Some(Bounded { bound: bound.min(most), split, hint })
-    }
-
-    /// Whether too many fingers are on one patch.
-    fn is_crowded(&self, node: &[Piece]) -> bool {
-        let most = self.rating.scene.most_on_patch;
-        let patch = |piece: Piece| self.pieces.patch(piece);
-        (0..node.len()).any(|i| {
-            let this = patch(node[i]);
-            this.is_some() && node[..i].iter().filter(|&&p| patch(p) == this).count() >= most
-        })
-    }
-
-    /// What is known of a node; `None` where contacts on it cannot balance, or hold too little.
-    fn node(&self, node: &[Piece], hint: Option<&Hint>) -> Option<Node<'a>> {
-        let Rating { scene, fingers } = self.rating;
-        let corners: Vec<Corners<'a>> = node.iter().map(|&p| self.pieces.corners(p)).collect();
-        let patches: Option<Vec<usize>> = node.iter().map(|&p| self.pieces.patch(p)).collect();
-        let stiffest = |piece: &Piece| {
-            let weights = self.pieces.patches(*piece).iter().map(|&p| scene.patches[p].weight);
-            weights.fold(0.0, f64::max).powi(2)
-        };
-        let fixed_size: f64 = scene.fixed.iter().map(|&(_, weight)| weight * weight).sum();
-        let size = match &patches {
-            Some(known) => known.iter().map(|&p| scene.patches[p].weight.powi(2)).sum::<f64>(),
-            None if node.len() < 64 => node.iter().map(stiffest).sum(),
-            None => f64::INFINITY,
-        } + fixed_size;
-        let normals = match (hint.and_then(|hint| hint.normals), &patches) {
-            (Some(normals), _) => Some(normals),
-            (None, Some(patches)) => Some(self.normals(patches, size)?),
-            (None, None) => None,
-        };
-        let weights: Vec<f64> = match &patches {
-            Some(known) => known.iter().map(|&p| scene.patches[p].weight).collect(),
-            None => vec![1.0; node.len()],
-        };
-        let least_share = if patches.is_some() { fingers.least_share } else { 0.0 };
-        let contacts =
-            Contacts { fingers: &corners, weights: &weights, fixed: &scene.fixed, least_share };
-        if helps_all(&contacts) {
-            return None;
-        }
-        Some(Node { fingers: corners, fixed: &scene.fixed, normals, size })
-    }
-
-    /// What is the same for all placements on these patches; `None` where their normals cannot
-    /// balance, or hold too little.
-    fn normals(&self, patches: &[usize], size: f64) -> Option<Normals> {
-        let Rating { scene, fingers } = self.rating;
-        let placed = patches.iter().map(|&p| (scene.patches[p].normal, scene.patches[p].weight));
-        let fixed = scene.fixed.iter().map(|&(w, weight)| (force(w), weight));
-        let all: Vec<_> = placed.chain(fixed).collect();
-        let normals: Vec<_> = all.iter().map(|&(n, _)| n).collect();
-        if !normals_balance(&normals) {
-            return None;
-        }
-        let translational = all
-            .iter()
-            .fold(Mat::ZERO, |sum, &(n, weight)| sum + Mat::outer(n, n) * (weight * weight));
-        let least = SymmetricEigen::new(&translational).ok()?.values[0];
-        let rounding = ROUNDING * size;
-        let asked = below(fingers.objective.least_translation() / scene.stiffness_unit);
-        let sigma = (least - rounding, least + rounding);
-        (sigma.0 > 0.0 && sigma.1 >= asked).then_some(Normals { translational, sigma })
-    }
-
-    /// What no placement surpasses, by its translational stiffness alone.
-    fn largest_by_translation(&self, node: &Node<'_>) -> f64 {
-        match (self.rating.fingers.objective, node.normals) {
+        let known = hint.and_then(|hint| hint.normals);
+        let node = Node::new(self.rating, self.pieces, pieces, known)?;
+        let least = above(floor.quality);
+        let by_translation = match (self.rating.fingers.objective, &node.normals) {
             (Objective::Quality | Objective::WorstPoint, Some(normals)) => normals.sigma.1,
             _ => f64::INFINITY,
+        };
+        if by_translation <= least {
+            return None;
         }
+        let best = self.best(&node, floor.quality, hint.map(|hint| &hint.cut));
+        if best.bound <= least {
+            return None;
+        }
+        let split = self.split(pieces, &node, &best.cut);
+        let hint = Hint { cut: best.cut, normals: node.normals };
+        Some(Bounded { bound: best.bound.min(by_translation), split, hint })
     }
 
-    /// The least bound by cuts that is found, and its cut; `None` when it is not above the floor.
-    fn best_cut(&self, node: &Node<'_>, floor: &Floor, hint: Option<&Cut>) -> Option<(f64, Cut)> {
-        let least = above(floor.quality);
-        let mut best = hint.map(|cut| (node.bound(cut), *cut));
-        // The weights of the corners of each finger, as if it were in many places at once.
-        let even = |corners: &Corners<'_>| {
-            let count = corners.all().len();
-            vec![(count as f64).recip(); count]
-        };
-        let mut shares: Vec<Vec<f64>> = node.fingers.iter().map(even).collect();
+    /// The least bound by cuts that is found, as soon as it is not above `floor`.
+    fn best(&self, node: &Node<'_>, floor: f64, hint: Option<&Cut>) -> Best {
         let steps = if hint.is_some() { NEXT_CUTS } else { FIRST_CUTS };
+        let mut best = hint.map_or(Best { bound: f64::INFINITY, cut: Cut::NONE }, |&cut| Best {
+            bound: node.bound(&cut),
+            cut,
+        });
+        // All corners, as often as they are in a finger's piece; each as if a part of the finger
+        // were there.
+        let corners: Vec<Vector<6>> =
+            node.fingers.iter().flat_map(|finger| finger.all().iter().copied()).collect();
+        let even = node.fingers.iter().flat_map(|finger| {
+            let count = finger.all().len();
+            std::iter::repeat_n((count as f64).recip(), count)
+        });
+        let mut shares: Vec<f64> = even.collect();
+        let mut values = Values::of(&best.cut, &corners, node);
         for step in 0..steps {
-            if best.as_ref().is_some_and(|(bound, _)| *bound <= least) {
-                return None;
+            if best.bound <= above(floor) {
+                break;
             }
-            let Some(cut) = self.violated(node, &shares, floor.quality) else { break };
-            best = Some(match best {
-                None => (node.bound(&cut), cut),
-                Some(best) => improved(node, best, &cut),
-            });
-            let Some((_, cut)) = &best else { break };
+            let Some(cut) = self.violated(node, &corners, &shares, floor) else { break };
+            let other = Values::of(&cut, &corners, node);
+            if best.bound.is_finite() {
+                values = improve(node, &mut best, values, (&cut, &other));
+            } else {
+                best = Best { bound: node.bound(&cut), cut };
+                values = other;
+            }
             // Each finger moves to where the cut is largest.
             let part = 2.0 / (step as f64 + 3.0);
-            for (corners, shares) in node.fingers.iter().zip(&mut shares) {
-                let rise = |p: &Vector<6>| value(&cut.form, Vector::ZERO, *p);
-                let values: Vec<f64> = corners.all().iter().map(rise).collect();
-                let top =
-                    (0..values.len()).fold(0, |i, j| if values[j] > values[i] { j } else { i });
-                shares.iter_mut().for_each(|share| *share *= 1.0 - part);
+            let mut rest = shares.as_mut_slice();
+            for (finger, values) in values.by_finger(node) {
+                let (shares, others) = rest.split_at_mut(finger);
+                let top = (0..finger).fold(0, |i, j| if values[j] > values[i] { j } else { i });
+                for share in &mut *shares {
+                    *share *= 1.0 - part;
+                }
                 shares[top] += part;
+                rest = others;
             }
         }
-        match best {
-            Some((bound, _)) if bound <= least => None,
-            // Nothing is known: what is spread over corners holds nothing.
-            None => Some((f64::INFINITY, Cut::plain(Mat::ZERO))),
-            known => known,
-        }
+        best
     }
 
-    /// The cut that fingers spread over the corners with these weights violate most.
-    fn violated(&self, node: &Node<'_>, shares: &[Vec<f64>], demand: f64) -> Option<Cut> {
-        let spread = node.fingers.iter().zip(shares).flat_map(|(corners, shares)| {
-            corners.all().iter().zip(shares).map(|(&p, share)| p * share.sqrt())
-        });
+    /// The cut that fingers spread over the corners with these shares violate most.
+    fn violated(
+        &self,
+        node: &Node<'_>,
+        corners: &[Vector<6>],
+        shares: &[f64],
+        demand: f64,
+    ) -> Option<Cut> {
+        let spread = corners.iter().zip(shares).map(|(&p, share)| p * share.sqrt());
         let fixed = node.fixed.iter().map(|&(wrench, weight)| wrench * weight);
         let principal = Principal::of(Vector::ZERO, &stiffness(spread.chain(fixed))).ok()?;
         let body = &self.rating.scene.extremes;
-        let outer = |t: Vector<6>| Mat::outer(t, t);
+        let (sigma, mu) = (principal.translational(), principal.rotational());
+        let cylinder = || Cut::cylinder(&principal, mu.vectors[0], self.cylinder_squared);
         match self.rating.fingers.objective {
             Objective::WorstPoint => {
                 let worst = WorstPoint::of(&principal, body).ok()?;
-                let load = Wrench::of_force_at(worst.direction, worst.point);
-                let twist = principal.displacement(Vector::ZERO, &load);
-                let speed = twist.velocity_at(worst.point).norm();
-                Some(Cut::plain(outer(joined(twist.linear, twist.angular) * speed.recip())))
+                Some(Cut::worst_point(&principal, worst.point, worst.direction))
             }
             Objective::Quality => {
-                let (sigma, mu) = (principal.translational(), principal.rotational());
-                if sigma.values[0] * self.cylinder_squared <= mu.values[0] {
-                    let twist = joined(sigma.vectors[0], Vector::ZERO);
-                    return Some(Cut::plain(outer(twist)));
-                }
-                Some(self.by_cylinder(&principal))
+                let by_translation = sigma.values[0] * self.cylinder_squared <= mu.values[0];
+                let translation = || Cut::translation(sigma.vectors[0]);
+                Some(if by_translation { translation() } else { cylinder() })
             }
             Objective::Rotation { .. } => {
                 let Some(Normals { translational, .. }) = &node.normals else {
-                    return Some(self.by_cylinder(&principal));
+                    return Some(cylinder());
                 };
                 let softest = EquivalentStiffness::least(&principal, body).ok()?;
-                let twist = principal.force_free_twist(softest.rotation);
-                let velocity = twist.velocity_at(softest.farthest.point);
-                let per_speed = velocity.norm().recip();
-                let v = velocity * per_speed;
+                let moved = (softest.rotation, softest.farthest.point);
                 // Sharpest for what the relaxation may reach.
-                let q = demand.max(softest.value);
-                let y = Cholesky::new(translational).ok()?.solve(v) * q;
-                let t = joined(twist.linear, twist.angular) * per_speed;
-                let form = Mat::outer(t, t + joined(y, Vector::ZERO) * 2.0).symmetric_part();
-                let resisted = *translational * y;
-                let (b, c) = (v.dot(resisted), resisted.norm_squared());
-                Some(Cut { form, plain: 0.0, a: v.norm_squared(), b, c })
+                Cut::rotation(&principal, translational, moved, demand.max(softest.value))
             }
         }
     }
 
-    /// That the softest rotation has to move some point by the radius of a cylinder.
-    fn by_cylinder(&self, principal: &Principal<3, 3>) -> Cut {
-        let twist = principal.force_free_twist(principal.rotational().vectors[0]);
-        let twist = joined(twist.linear, twist.angular);
-        Cut::plain(Mat::outer(twist, twist) * self.cylinder_squared.recip())
-    }
-
-    /// The finger whose piece raises the bound most by its extent.
+    /// The finger whose piece raises the bound most by its extent; of those with several patches,
+    /// while there are any: all else is known better then.
     fn split(&self, pieces: &[Piece], node: &Node<'_>, cut: &Cut) -> usize {
         let several = node.normals.is_none();
         let mut most = (0, f64::NEG_INFINITY);
         for (i, (corners, &piece)) in node.fingers.iter().zip(pieces).enumerate() {
-            if self.pieces.halves(piece).is_none() {
-                continue;
-            }
-            // Which patches first: all else is known better then.
-            if several != (self.pieces.patches(piece).len() > 1) {
+            let is_several = self.pieces.patch(piece).is_none();
+            if several != is_several || self.pieces.halves(piece).is_none() {
                 continue;
             }
             let all = corners.all();
@@ -289,66 +177,89 @@ impl<'a> Relaxation<'a> {
     }
 }
 
-/// The better of a cut and its mean with another one, by a search for the weight of that.
-fn improved(node: &Node<'_>, best: (f64, Cut), other: &Cut) -> (f64, Cut) {
-    let (first, second) = (Sums::new(node, &best.1), Sums::new(node, other));
-    let at = |part: f64| first.mixed_bound(part, &second, (&best.1, other), node.sigma());
+/// Puts in place of the best cut its mean with another one, if that bounds better; the values of
+/// what is best then.
+fn improve(
+    node: &Node<'_>,
+    best: &mut Best,
+    values: Values,
+    (cut, other): (&Cut, &Values),
+) -> Values {
+    let at = |part: f64| values.mixed_bound(part, other, (&best.cut.limits, &cut.limits), node);
     let (mut low, mut high) = (0.0, 1.0);
+    let inner = |low: f64, high: f64| (high - GOLDEN * (high - low), low + GOLDEN * (high - low));
+    let (mut a, mut b) = inner(low, high);
+    let (mut at_a, mut at_b) = (at(a), at(b));
     for _ in 0..SECTIONS {
-        let (a, b) = (high - GOLDEN * (high - low), low + GOLDEN * (high - low));
-        if at(a) < at(b) {
-            high = b;
+        if at_a < at_b {
+            (high, b, at_b) = (b, a, at_a);
+            a = inner(low, high).0;
+            at_a = at(a);
         } else {
-            low = a;
+            (low, a, at_a) = (a, b, at_b);
+            b = inner(low, high).1;
+            at_b = at(b);
         }
     }
-    let cut = best.1.mixed(0.5 * (low + high), other);
-    let bound = node.bound(&cut);
-    if bound < best.0 { (bound, cut) } else { best }
+    let part = if at_a < at_b { a } else { b };
+    let mixed = best.cut.mixed(part, cut);
+    let bound = node.bound(&mixed);
+    if bound >= best.bound {
+        return values;
+    }
+    *best = Best { bound, cut: mixed };
+    values.mixed(part, other)
 }
 
-/// The values of a cut at all corners.
-struct Sums {
-    fingers: Vec<Vec<f64>>,
+/// The values of a cut's form at all corners, and the sum of those at the given contacts.
+#[derive(Clone, Debug)]
+struct Values {
+    corners: Vec<f64>,
     fixed: f64,
 }
 
-impl Sums {
-    fn new(node: &Node<'_>, cut: &Cut) -> Self {
+impl Values {
+    fn of(cut: &Cut, corners: &[Vector<6>], node: &Node<'_>) -> Self {
         let at = |p: &Vector<6>| value(&cut.form, Vector::ZERO, *p);
         Self {
-            fingers: node.fingers.iter().map(|f| f.all().iter().map(at).collect()).collect(),
+            corners: corners.iter().map(at).collect(),
             fixed: node.fixed.iter().map(|(w, weight)| at(w) * weight * weight).sum(),
         }
     }
 
-    /// The bound, without rounding and the boxes of large groups, by a mean of two cuts.
-    fn mixed_bound(&self, part: f64, other: &Self, cuts: (&Cut, &Cut), sigma: f64) -> f64 {
+    /// The number of corners of each finger, and the values there.
+    fn by_finger<'v>(&'v self, node: &'v Node<'_>) -> impl Iterator<Item = (usize, &'v [f64])> {
+        let mut rest = self.corners.as_slice();
+        node.fingers.iter().map(move |finger| {
+            let (these, others) = rest.split_at(finger.all().len());
+            rest = others;
+            (these.len(), these)
+        })
+    }
+
+    fn mixed(&self, part: f64, other: &Self) -> Self {
+        let mean = |x: f64, y: f64| x * (1.0 - part) + y * part;
+        let corners = self.corners.iter().zip(&other.corners);
+        Self {
+            corners: corners.map(|(&x, &y)| mean(x, y)).collect(),
+            fixed: mean(self.fixed, other.fixed),
+        }
+    }
+
+    /// The bound by a mean of two cuts, without rounding and the boxes of large groups.
+    fn mixed_bound(
+        &self,
+        part: f64,
+        other: &Self,
+        (these, those): (&Limits, &Limits),
+        node: &Node<'_>,
+    ) -> f64 {
         let mean = |x: f64, y: f64| x * (1.0 - part) + y * part;
         let mut total = mean(self.fixed, other.fixed);
-        for (these, those) in self.fingers.iter().zip(&other.fingers) {
+        for ((_, these), (_, those)) in self.by_finger(node).zip(other.by_finger(node)) {
             let all = these.iter().zip(those).map(|(&x, &y)| mean(x, y));
             total += all.fold(f64::NEG_INFINITY, f64::max);
         }
-        let (this, that) = cuts;
-        let constants = Cut {
-            form: Mat::ZERO,
-            plain: mean(this.plain, that.plain),
-            a: mean(this.a, that.a),
-            b: mean(this.b, that.b),
-            c: mean(this.c, that.c),
-        };
-        constants.largest_objective(total, sigma)
+        these.mixed(part, those).largest_objective(total, node.sigma())
     }
-}
-
-/// The first three components of a wrench.
-fn force(wrench: Vector<6>) -> Vector<3> {
-    Vector::new([wrench[0], wrench[1], wrench[2]])
-}
-
-/// A twist with these parts.
-fn joined(linear: Vector<3>, angular: Vector<3>) -> Vector<6> {
-    let ([a, b, c], [d, e, f]) = (linear.to_array(), angular.to_array());
-    Vector::new([a, b, c, d, e, f])
 }

@@ -58,7 +58,7 @@ fn no_bound_is_below_a_placement_under_it() {
         let given = if round % 3 == 0 { 3 } else { 0 };
         let fixed = (0..given).map(|_| touch(&mut r, &part)).collect();
         let least_share = if round % 5 == 0 { 0.01 } else { 0.0 };
-        let fingers = Fingers { objective, fixed, least_share, ..Fingers::new(7) };
+        let fingers = Fingers { fixed, objective, least_share, ..Fingers::new(7) };
         let scene = Scene::of_part(&part, &fingers).unwrap();
         let rating = rating(&scene, &fingers);
         let pieces = Pieces::new(&scene);

@@ -64,7 +64,7 @@ pub(super) fn touch(r: &mut Random, part: &Part) -> Touch {
 
 /// A placement that holds, by a short ascent.
 pub(super) fn held<const K: usize>(rating: Rating<'_>, seed: u64) -> Option<(Worth, [Spot; K])> {
-    Ascent::new(rating, seed).from_chance()
+    Ascent::new(rating, seed).by_chance()
 }
 
 /// Whether a spot is on a triangle of its patch, to rounding.

@@ -12,8 +12,8 @@ use crate::search::{Bounded, Candidate, Floor, Piece, Problem, Settled};
 const STARTS: u64 = 16;
 const SWEPT: usize = 2;
 
-/// Every so many rounds what a probe finds is swept.
-const ROUNDS_PER_SWEEP: u64 = 8;
+/// One of so many probes is swept.
+const PROBES_PER_SWEEP: u64 = 16;
 
 /// Steps in which a motion that everything helps is looked for.
 const ESCAPE_STEPS: usize = 1000;
@@ -47,7 +47,7 @@ impl<'a> SpatialSearch<'a> {
     /// Placements to begin with.
     pub(super) fn first<const K: usize>(&self) -> Vec<Candidate<K, [Spot; K]>> {
         let seeds: Vec<u64> = (0..STARTS).collect();
-        let ascents = seeds.par_iter().map(|&seed| Ascent::new(self.rating, seed).from_chance());
+        let ascents = seeds.par_iter().map(|&seed| Ascent::new(self.rating, seed).by_chance());
         let mut found: Vec<Climber<K>> =
             ascents.collect::<Vec<_>>().into_iter().flatten().collect();
         found.sort_by(|a, b| b.0.partial_cmp(&a.0).unwrap_or(std::cmp::Ordering::Equal));
@@ -64,6 +64,8 @@ impl<const K: usize> Problem<K> for SpatialSearch<'_> {
 
     /// About 250 megabytes for seven fingers.
     const MOST_OPEN: usize = 1 << 19;
+    /// An ascent takes about as long.
+    const NODES_PER_PROBE: u64 = 1000;
 
     fn halves(&self, piece: Piece) -> Option<[Piece; 2]> {
         self.pieces.halves(piece)
@@ -91,19 +93,19 @@ impl<const K: usize> Problem<K> for SpatialSearch<'_> {
         self.relaxation.bound(node, floor, hint)
     }
 
-    fn probe(&self, node: &[Piece; K], round: u64) -> Option<Candidate<K, Self::Place>> {
-        let mut ascent = Ascent::new(self.rating, STARTS + 1 + round);
+    fn probe(&self, node: &[Piece; K], number: u64) -> Option<Candidate<K, Self::Place>> {
+        let mut ascent = Ascent::new(self.rating, STARTS + 1 + number);
         let spots = node.map(|piece| self.pieces.middle(piece));
         let near = self
             .rating
             .above(&spots, Worth::Loose(f64::NEG_INFINITY))
             .and_then(|worth| ascent.from((worth, spots)));
-        let far = ascent.from_chance();
+        let far = ascent.by_chance();
         let best = match (near, far) {
             (Some(near), Some(far)) => Some(if far.0 > near.0 { far } else { near }),
             (near, far) => near.or(far),
         }?;
-        let sweeps = round.is_multiple_of(ROUNDS_PER_SWEEP);
+        let sweeps = number.is_multiple_of(PROBES_PER_SWEEP);
         candidate(if sweeps { ascent.swept(best) } else { best })
     }
 
