@@ -4,7 +4,6 @@ use clench::contact::Order;
 use clench::screw::{Stiffness, Vector};
 use clench::shape::Extent;
 use clench::stiffness::{Equilibrium, Grasp, Preloads};
-use clench_draw::GraspPicture;
 
 use crate::answer::Answer;
 use crate::arguments::{AnalyzeArguments, Format, OrderArgument};
@@ -12,7 +11,7 @@ use crate::failure::Failure;
 use crate::held::{Classes, NotHeld, Slack, held};
 use crate::input::{self, Document, FileGrasp, LoadFault, NamedPoint, Part, Piece, Place, schema};
 use crate::metrics::Metrics;
-use crate::picture;
+use crate::picture::{self, Picture};
 use crate::report::{self, AnalysisReport, AnalysisText};
 use crate::response::Response;
 use crate::view::View;
@@ -73,14 +72,17 @@ pub(crate) fn analyze(arguments: &AnalyzeArguments) -> Result<Answer, Failure> {
             let found = input::planar_grasp(&document, &file, &body)?;
             let view = View::planar(frame)?;
             let analysis = question.analysis(&found, body.shape.extent(), view)?;
-            let picture = picture::of_analysis(&analysis, &body.shape);
-            question.answer(AnalysisReport::planar(&analysis), Some(picture))
+            let picture = Picture::Outline(picture::of_analysis(&analysis, &body.shape));
+            question.answer(AnalysisReport::planar(&analysis), picture)
         }
         Part::Spatial(body) => {
             let found = input::spatial_grasp(&document, &file, &body)?;
             let view = View::spatial(frame)?;
             let analysis = question.analysis(&found, body.shape.extent(), view)?;
-            question.answer(AnalysisReport::spatial(&analysis), None)
+            let picture = Picture::Solid(picture::of_analysis_in_space(&analysis, &body.shape));
+            let answer = question.answer(AnalysisReport::spatial(&analysis), picture)?;
+            let meshes = input::mesh_file(&document, &file.part).into_iter().collect();
+            Ok(Answer { meshes, ..answer })
         }
     }
 }
@@ -149,17 +151,13 @@ impl<'a> Question<'a> {
         found.load_cases.iter().enumerate().map(response).collect()
     }
 
-    fn answer(
-        &self,
-        report: AnalysisReport<'_>,
-        picture: Option<GraspPicture>,
-    ) -> Result<Answer, Failure> {
+    fn answer(&self, report: AnalysisReport<'_>, picture: Picture) -> Result<Answer, Failure> {
         let text = match self.arguments.output.format {
             Format::Text => {
                 AnalysisText { name: self.document.name(), report: &report }.to_string()
             }
             Format::Json => report::json(&report)?,
         };
-        Ok(Answer { report: text, picture, reason: report.reason })
+        Ok(Answer { report: text, picture, meshes: Vec::new(), reason: report.reason })
     }
 }

@@ -1,14 +1,18 @@
 //! What a command finds out.
 
-use clench_draw::GraspPicture;
+use std::path::PathBuf;
+
+use crate::picture::Picture;
 
 /// The end of a command whose input was sound.
 #[derive(Debug)]
 pub(crate) struct Answer {
     /// The report, for standard output.
     pub(crate) report: String,
-    /// The grasp, or the part alone; solids are not drawn.
-    pub(crate) picture: Option<GraspPicture>,
+    /// The grasp, or the part alone.
+    pub(crate) picture: Picture,
+    /// The files that were read besides those of the command line.
+    pub(crate) meshes: Vec<PathBuf>,
     /// Why there is no quality, or why the fingers cannot hold the part.
     pub(crate) reason: Option<String>,
 }

@@ -32,9 +32,9 @@ pub(crate) enum Failure {
     /// Standard output that cannot be written.
     #[error("the report cannot be written to standard output: {0}")]
     Output(io::Error),
-    /// A picture of a solid.
-    #[error("pictures of solids are not drawn yet, so --svg is for planar parts only")]
-    SolidPicture,
+    /// Options that do not go with the part.
+    #[error("{message}")]
+    Usage { message: String },
     /// The frame of the command line has another dimension than the part.
     #[error("--frame has {found} numbers, expected three for a planar part: x,y,angle")]
     PlanarFrame { found: usize },
@@ -66,7 +66,7 @@ impl Failure {
     pub(crate) const fn is_usage(&self) -> bool {
         matches!(
             self,
-            Self::SolidPicture
+            Self::Usage { .. }
                 | Self::PlanarFrame { .. }
                 | Self::SpatialFrame { .. }
                 | Self::Option { .. }

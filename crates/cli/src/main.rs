@@ -24,7 +24,7 @@ mod view;
 mod wording;
 
 use std::io::{self, IsTerminal, Write};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 use miette::{GraphicalReportHandler, GraphicalTheme};
@@ -45,8 +45,8 @@ const NO_ANSWER: u8 = 3;
 fn main() -> ExitCode {
     let arguments = Arguments::parse_checked();
     let answer = match &arguments.command {
-        Command::Analyze(a) => finish(analyze::analyze(a), &a.grasp, &a.output),
-        Command::Optimize(a) => finish(optimize::optimize(a), &a.part, &a.output),
+        Command::Analyze(a) => finish(analyze::analyze(a), &[&a.grasp], &a.output),
+        Command::Optimize(a) => finish(optimize::optimize(a), &a.files(), &a.output),
     };
     match answer {
         Ok(Answer { reason: None, .. }) => ExitCode::SUCCESS,
@@ -65,16 +65,16 @@ fn main() -> ExitCode {
 /// cost the answer.
 fn finish(
     answer: Result<Answer, Failure>,
-    input: &Path,
+    inputs: &[&Path],
     output: &OutputArguments,
 ) -> Result<Answer, Failure> {
     let answer = answer?;
     let picture = match &output.svg {
         None => None,
         Some(path) => {
-            output::check_apart(path, input)?;
-            let picture = answer.picture.as_ref().ok_or(Failure::SolidPicture)?;
-            Some((path, picture.figure()?.to_svg()))
+            let meshes = answer.meshes.iter().map(PathBuf::as_path);
+            inputs.iter().copied().chain(meshes).try_for_each(|i| output::check_apart(path, i))?;
+            Some((path, answer.picture.figure()?.to_svg()))
         }
     };
     output::write_report(&answer.report)?;

@@ -20,7 +20,7 @@ const FILE: &str = r#"A part file, in TOML (or the same in JSON):
   margin = 0.5                               # no finger nearer to a corner; 0 if left out
   forbidden = [2, { edge = 1, from = 0, to = 3 }] # edges, and stretches along them
 
-`analyze` knows more parts, one shape each:
+Other parts, one shape each; `optimize` takes outlines, and solids with faces:
 
   [part.planar]                              # instead of an outline:
   ellipse = [40, 25]                         # semi-axes; center = [x, y] if not the origin
@@ -30,7 +30,7 @@ const FILE: &str = r#"A part file, in TOML (or the same in JSON):
   mesh = "bracket.stl"                       # STL or OBJ, beside this file; or
   ellipsoid = [30, 20, 15]
 
-A grasp file has contacts besides:
+A grasp file has contacts besides; so have the files of --fix and --candidates, without a part:
 
   [[contacts]]
   point = [6, 0]                             # or the center of a round finger, without a preload
@@ -64,8 +64,8 @@ joins corner e to corner e + 1. A contact has to be on the boundary up to 1e-6 o
 radius. `-` reads standard input.
 
 Not checked: fingers may overlap each other or the part away from their contacts, and nothing says
-whether there is room for them, except for --least-distance and --margin. With four and more fingers
-the radius enters the optimum by the least distance only.
+whether there is room for them, except for --least-distance and --margin on an outline. With four
+and more fingers the radius enters the optimum by the least distance only.
 
 Exit codes: 0 an answer; 1 bad input, nothing written; 2 wrong usage; 3 no answer, with the reason.
 
@@ -74,6 +74,8 @@ Examples:
   clench optimize bracket.toml --fingers 3 --preload 200 --format json > grasp.json
   clench optimize bracket.toml --fingers 6 --finger-radius 4 --margin 5 --forbid 2 --time 60
   clench optimize bracket.toml --fingers 4 --objective rotation --least-translation 3e4
+  clench optimize block.toml --fix locators.toml --fingers 2 --least-share 0.02 --svg clamps.svg
+  clench optimize block.toml --fix locators.toml --candidates places.toml --fingers 3
   clench analyze grasp.json --frame 20,10,0.5
   clench analyze cube-grasp.toml --frame 50,50,50,0,0,0"#;
 
@@ -124,7 +126,7 @@ pub(crate) struct OutputArguments {
     /// The form of the report.
     #[arg(long, value_enum, default_value = "text")]
     pub(crate) format: Format,
-    /// Draw the grasp into this file, always in the frame of the input file; planar parts only.
+    /// Draw the grasp into this file, always in the frame of the input file.
     #[arg(long, value_name = "FILE")]
     pub(crate) svg: Option<PathBuf>,
 }

@@ -1,11 +1,13 @@
 //! What `optimize` is asked for.
 
 use std::num::NonZeroUsize;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::time::Duration;
 
 use clap::error::ErrorKind;
 use clap::{Args, ValueEnum};
+use clench::optimize::polygon::MOST_FINGERS;
+use clench::optimize::{Effort, Objective};
 
 use super::OutputArguments;
 use super::value;
@@ -14,67 +16,88 @@ use crate::input::schema::Forbidden;
 /// The gap of a search that only closes in on the best placement of a combination.
 const DEFAULT_GAP: f64 = 1e-4;
 
+/// The gap and the time of a search on a solid: the last percents of its proof take the longest.
+const SOLID_GAP: f64 = 0.05;
+const SOLID_TIME: Duration = Duration::from_mins(1);
+
+/// Three fingers hold an outline by their preload; two never do.
+const FEWEST_ON_OUTLINE: usize = 3;
+
 /// What to optimize, and how.
 #[derive(Debug, Args)]
 pub(crate) struct OptimizeArguments {
     /// The part file.
     pub(crate) part: PathBuf,
-    /// The number of frictionless fingers, from 3 to 8.
+    /// The number of frictionless fingers to place: from 3 to 8 on an outline; on a solid from 1 to
+    /// 12, from 7 to 16 with those of --fix.
     #[arg(long, value_name = "N", value_parser = value::fingers)]
     #[arg(allow_hyphen_values = true)]
     pub(crate) fingers: usize,
-    /// What to maximize; three fingers know quality only.
+    /// Contacts that are given besides, such as locators; solids only. A grasp file, its part left
+    /// out or the same. A law that is not linear counts by its slope at the preload.
+    #[arg(long, value_name = "FILE")]
+    pub(crate) fix: Option<PathBuf>,
+    /// Choose among the contacts of this file rather than among all places; solids only. A file
+    /// as for --fix.
+    #[arg(long, value_name = "FILE")]
+    pub(crate) candidates: Option<PathBuf>,
+    /// What to maximize; three fingers on an outline know quality only.
     #[arg(long, value_enum, default_value = "quality")]
     pub(crate) objective: ObjectiveArgument,
     /// With --objective rotation: the least `sigma_min` (force / length); 0 if left out.
     #[arg(long, value_name = "S", value_parser = value::not_negative)]
     #[arg(allow_hyphen_values = true)]
     pub(crate) least_translation: Option<f64>,
-    /// The sum of all contact forces. Three fingers need it: they resist rotation by it alone.
-    /// With more, the report adds the quality to second order.
+    /// The sum of all contact forces. Three fingers on an outline need it: they resist rotation by
+    /// it alone. With more, the report adds the quality to second order.
     #[arg(long, value_name = "F", value_parser = value::positive)]
     #[arg(allow_hyphen_values = true)]
     pub(crate) preload: Option<f64>,
-    /// The radius of the fingers' tips. With four and more it changes the optimum only by the
-    /// least distance.
+    /// The radius of the tips of the fingers that are placed. With four and more it changes the
+    /// optimum only by the least distance; on a solid not at all.
     #[arg(long, value_name = "R", value_parser = value::not_negative, default_value = "0")]
     #[arg(allow_hyphen_values = true)]
     pub(crate) finger_radius: f64,
-    /// The least distance of two fingers on one edge; twice the finger radius if left out. Three
-    /// fingers are on three edges.
+    /// Outlines only: the least distance of two fingers on one edge; twice the finger radius if
+    /// left out. Three fingers are on three edges.
     #[arg(long, value_name = "D", value_parser = value::not_negative)]
     #[arg(allow_hyphen_values = true)]
     pub(crate) least_distance: Option<f64>,
-    /// The least share of the preload that each finger has: from 0 to below 1/N.
+    /// The least share of the preload that each contact has: from 0 to below 1/N, N with those of
+    /// --fix.
     #[arg(long, value_name = "P", value_parser = value::not_negative, default_value = "0")]
     #[arg(allow_hyphen_values = true)]
     pub(crate) least_share: f64,
-    /// No finger nearer than this to an end of an edge. The margin of the file holds too.
+    /// Outlines only: no finger nearer than this to an end of an edge. The margin of the file holds
+    /// too.
     #[arg(long, value_name = "M", value_parser = value::not_negative)]
     #[arg(allow_hyphen_values = true)]
     pub(crate) margin: Option<f64>,
-    /// No finger on this edge, or on this stretch of it: --forbid 3 --forbid 5:0-10. Lengths count
-    /// from the edge's start. May be given several times, and adds to what the file forbids.
+    /// Outlines only: no finger on this edge, or on this stretch of it: --forbid 3 --forbid 5:0-10.
+    /// Lengths count from the edge's start. May be given several times, and adds to what the file
+    /// forbids.
     #[arg(long, value_name = "EDGE[:FROM-TO]", value_parser = value::forbidden)]
     #[arg(allow_hyphen_values = true)]
     pub(crate) forbid: Vec<Forbidden>,
-    /// Report the best placements on this many combinations of edges: 1 or more.
+    /// Report the best placements on this many combinations of edges, of faces or of candidates: 1
+    /// or more.
     #[arg(long, value_name = "T", value_parser = value::one_or_more, default_value = "1")]
-    pub(crate) top: NonZeroUsize,
+    top: NonZeroUsize,
     /// Stop when no placement can be better by more than this part of the best. 0 if left out;
-    /// 1e-4 with five and more fingers, or with --objective worst-point.
+    /// 1e-4 with five and more fingers, or with --objective worst-point; 0.05 on a solid.
     #[arg(long, value_name = "G", value_parser = value::not_negative)]
     #[arg(allow_hyphen_values = true)]
     gap: Option<f64>,
-    /// Stop after this time, with the best so far and a bound; so does Ctrl-C.
+    /// Stop after this time, with the best so far and a bound; so does Ctrl-C. On a solid 60, if
+    /// neither this nor --nodes is given.
     #[arg(long, value_name = "SECONDS", value_parser = value::seconds)]
     #[arg(allow_hyphen_values = true)]
-    pub(crate) time: Option<Duration>,
+    time: Option<Duration>,
     /// Stop after bounding this many sets of combinations: unlike with a time, the answer is
     /// always the same.
     #[arg(long, value_name = "N", value_parser = value::nodes)]
     #[arg(allow_hyphen_values = true)]
-    pub(crate) nodes: Option<u64>,
+    nodes: Option<u64>,
     #[command(flatten)]
     pub(crate) output: OutputArguments,
 }
@@ -86,15 +109,41 @@ pub(crate) enum ObjectiveArgument {
     Quality,
     /// `Q_pt`, the least force per deflection of any point of the part.
     WorstPoint,
-    /// `mu_eq`, the equivalent rotational stiffness.
+    /// `mu_eq`, the equivalent rotational stiffness; on a solid `Q_V`, the least of all rotations.
     Rotation,
 }
 
 impl OptimizeArguments {
-    /// The relative gap at which the search may stop.
-    pub(crate) fn gap(&self) -> f64 {
+    /// The files that are read.
+    pub(crate) fn files(&self) -> Vec<&Path> {
+        let given = [&self.fix, &self.candidates].into_iter().flatten();
+        std::iter::once(&self.part).chain(given).map(PathBuf::as_path).collect()
+    }
+
+    /// How far a search on an outline goes.
+    pub(crate) fn effort_on_outline(&self) -> Effort {
         let closes_in = self.fingers > 4 || self.objective == ObjectiveArgument::WorstPoint;
-        self.gap.unwrap_or(if closes_in { DEFAULT_GAP } else { 0.0 })
+        let gap = self.gap.unwrap_or(if closes_in { DEFAULT_GAP } else { 0.0 });
+        Effort { top: self.top, gap, time: self.time, nodes: self.nodes }
+    }
+
+    /// How far a search on a solid goes.
+    pub(crate) fn effort_on_solid(&self) -> Effort {
+        let gap = self.gap.unwrap_or(SOLID_GAP);
+        let time = if self.nodes.is_some() { self.time } else { self.time.or(Some(SOLID_TIME)) };
+        Effort { top: self.top, gap, time, nodes: self.nodes }
+    }
+
+    /// What is maximized.
+    pub(crate) fn objective(&self) -> Objective {
+        match self.objective {
+            ObjectiveArgument::Quality => Objective::Quality,
+            ObjectiveArgument::WorstPoint => Objective::WorstPoint,
+            ObjectiveArgument::Rotation => {
+                let least_translation = self.least_translation.unwrap_or(0.0);
+                Objective::Rotation { least_translation }
+            }
+        }
     }
 
     /// The least distance of two fingers on one edge; none where each is on an edge of its own.
@@ -103,31 +152,61 @@ impl OptimizeArguments {
         (self.fingers > 3).then(|| self.least_distance.unwrap_or(tips))
     }
 
-    /// Checks that the options go with each other.
+    /// Checks that the options go with each other, whatever the part is.
     pub(super) fn checked(&self) -> Result<(), (ErrorKind, String)> {
-        let conflict = |message: String| Err((ErrorKind::ArgumentConflict, message));
-        let share_limit = (self.fingers as f64).recip();
-        if self.fingers == 3 && self.preload.is_none() {
-            let message = "--fingers 3 needs --preload <F>, the sum of all contact forces: three \
-                           frictionless fingers resist rotation by their preload alone";
-            return Err((ErrorKind::MissingRequiredArgument, message.to_owned()));
-        }
-        if self.fingers == 3 && self.objective != ObjectiveArgument::Quality {
-            return conflict("--fingers 3 goes with --objective quality only".to_owned());
-        }
-        if self.fingers == 3 && self.least_distance.is_some() {
-            let reason = "three fingers are on three edges";
-            return conflict(format!("--least-distance does not go with --fingers 3: {reason}"));
-        }
         if self.least_translation.is_some() && self.objective != ObjectiveArgument::Rotation {
-            return conflict("--least-translation goes with --objective rotation only".to_owned());
-        }
-        if self.least_share >= share_limit {
-            let (found, count) = (self.least_share, self.fingers);
-            let message =
-                format!("--least-share is {found}, expected less than 1/{count} of the preload");
-            return Err((ErrorKind::ValueValidation, message));
+            let message = "--least-translation goes with --objective rotation only".to_owned();
+            return Err((ErrorKind::ArgumentConflict, message));
         }
         Ok(())
+    }
+
+    /// Checks that the options go with an outline.
+    pub(crate) fn check_for_outline(&self) -> Result<(), String> {
+        let (count, share_limit) = (self.fingers, (self.fingers as f64).recip());
+        let fewest = FEWEST_ON_OUTLINE;
+        if !(fewest..=MOST_FINGERS).contains(&count) {
+            let range = format!("from {fewest} to {MOST_FINGERS}");
+            return Err(format!("--fingers: found {count}, expected {range} on an outline"));
+        }
+        for (option, given) in [("--fix", &self.fix), ("--candidates", &self.candidates)] {
+            if given.is_some() {
+                return Err(format!("{option} goes with a solid, but the part is an outline"));
+            }
+        }
+        if count == 3 && self.preload.is_none() {
+            let message = "--fingers 3 needs --preload <F>, the sum of all contact forces: three \
+                           frictionless fingers resist rotation by their preload alone";
+            return Err(message.to_owned());
+        }
+        if count == 3 && self.objective != ObjectiveArgument::Quality {
+            return Err("--fingers 3 goes with --objective quality only".to_owned());
+        }
+        if count == 3 && self.least_distance.is_some() {
+            let reason = "three fingers are on three edges";
+            return Err(format!("--least-distance does not go with --fingers 3: {reason}"));
+        }
+        if self.least_share >= share_limit {
+            let found = self.least_share;
+            return Err(format!(
+                "--least-share is {found}, expected less than 1/{count} of the preload"
+            ));
+        }
+        Ok(())
+    }
+
+    /// Checks that the options go with a solid.
+    pub(crate) fn check_for_solid(&self) -> Result<(), String> {
+        let given = [
+            ("--least-distance", self.least_distance.is_some()),
+            ("--margin", self.margin.is_some()),
+            ("--forbid", !self.forbid.is_empty()),
+        ];
+        match given.iter().find(|(_, given)| *given) {
+            Some((option, _)) => {
+                Err(format!("{option} goes with an outline, but the part is a solid"))
+            }
+            None => Ok(()),
+        }
     }
 }

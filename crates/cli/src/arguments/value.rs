@@ -3,13 +3,13 @@
 use std::num::NonZeroUsize;
 use std::time::Duration;
 
-use clench::optimize::polygon::MOST_FINGERS;
+use clench::optimize::polyhedron::MOST_FINGERS;
 
 use crate::input::schema::{Forbidden, ForbiddenStretch};
 use crate::input::{Finite, Whole};
 
-/// Three fingers hold a part by their preload; two never do.
-const FEWEST_FINGERS: usize = 3;
+/// Beside contacts that are given, one may be placed.
+const FEWEST_FINGERS: usize = 1;
 
 /// Coordinates of a frame up to here leave products of three of them in the range of numbers.
 const LARGEST_FRAME: f64 = 1e90;

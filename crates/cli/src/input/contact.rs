@@ -255,7 +255,7 @@ impl<const N: usize> Entry<'_, N> {
 
     /// The name of the unit of length.
     fn unit(&self) -> String {
-        self.source.file.units.length.0.clone()
+        self.source.units.length.0.clone()
     }
 }
 

@@ -5,6 +5,7 @@ use std::io::{self, Read};
 use std::path::{Path, PathBuf};
 
 use serde::Deserialize;
+use serde::de::DeserializeOwned;
 
 use super::fault::{Fault, InputError, Located};
 use super::node::Node;
@@ -31,7 +32,7 @@ impl Document {
     ///
     /// The ending `.toml` or `.json` says what it is; without one, a file that starts with a brace
     /// is JSON.
-    pub(crate) fn read(path: &Path) -> Result<(Self, File), Failure> {
+    pub(crate) fn read<P: DeserializeOwned>(path: &Path) -> Result<(Self, File<P>), Failure> {
         let (name, text) = text_of(path)?;
         let parsed = match language(path, &text) {
             _ if text.trim().is_empty() => Err(Located { span: 0..0, fault: Fault::Empty }),
@@ -65,8 +66,8 @@ impl Document {
         if exists { error.into() } else { error.without_excerpt().into() }
     }
 
-    fn checked(&self) -> Result<File, Failure> {
-        let file = File::deserialize(Reader(&self.root)).map_err(|mismatch| {
+    fn checked<P: DeserializeOwned>(&self) -> Result<File<P>, Failure> {
+        let file = File::<P>::deserialize(Reader(&self.root)).map_err(|mismatch| {
             let (message, place, span) = mismatch.into_parts();
             let whole = span.is_none();
             let span = span.unwrap_or_else(|| self.root.span.clone());

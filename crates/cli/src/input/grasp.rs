@@ -39,8 +39,9 @@ pub(crate) fn planar_grasp(
         PlanarShape::Outline(outline) => &**outline,
         PlanarShape::Ellipse(ellipse) => ellipse,
     };
-    let source = Source { document, file, boundary, stiffness: body.stiffness.as_deref() };
-    grasp(&source, |entry| {
+    let stiffness = body.stiffness.as_deref();
+    let source = Source { document, units: &file.units, boundary, stiffness };
+    grasp(&source, file, |entry| {
         let seated = entry.seated(entry.curvature(|finger, _| finger::planar(finger))?)?;
         let law = entry.law(&seated, |_| Err(ContactFault::PlanarHertz))?;
         Ok((entry.contact(&seated, law)?, seated.piece))
@@ -54,21 +55,27 @@ pub(crate) fn spatial_grasp(
     body: &Body<SpatialShape>,
 ) -> Result<FileGrasp<3, 3>, Failure> {
     let boundary: &dyn Boundary<3> = match &body.shape {
-        SpatialShape::Polyhedron(polyhedron) => &**polyhedron,
+        SpatialShape::Polyhedron(solid) => &solid.polyhedron,
         SpatialShape::Ellipsoid(ellipsoid) => ellipsoid,
     };
-    let source = Source { document, file, boundary, stiffness: body.stiffness.as_deref() };
-    grasp(&source, |entry| {
-        let seated = entry.seated(entry.curvature(finger::spatial)?)?;
-        let law = entry.law(&seated, |modulus| Ok(Hertz::of(modulus, &seated.geometry)?))?;
-        Ok((entry.contact(&seated, law)?, seated.piece))
-    })
+    let stiffness = body.stiffness.as_deref();
+    let source = Source { document, units: &file.units, boundary, stiffness };
+    grasp(&source, file, spatial_contact)
 }
 
-/// A grasp file whose part is known.
+/// A contact on a spatial part, and what it is on.
+pub(super) fn spatial_contact(
+    entry: &Entry<'_, 3>,
+) -> Result<(Contact<3, 3>, Option<Piece>), Failure> {
+    let seated = entry.seated(entry.curvature(finger::spatial)?)?;
+    let law = entry.law(&seated, |modulus| Ok(Hertz::of(modulus, &seated.geometry)?))?;
+    Ok((entry.contact(&seated, law)?, seated.piece))
+}
+
+/// A file with contacts whose part is known.
 pub(super) struct Source<'a, const N: usize> {
     pub(super) document: &'a Document,
-    pub(super) file: &'a schema::File,
+    pub(super) units: &'a schema::Units,
     pub(super) boundary: &'a dyn Boundary<N>,
     /// Of a contact on each piece of the boundary, or on all of it.
     pub(super) stiffness: Option<&'a [f64]>,
@@ -77,9 +84,10 @@ pub(super) struct Source<'a, const N: usize> {
 /// The grasp by the contacts of a file, each made by `contact`.
 fn grasp<const N: usize, const M: usize>(
     source: &Source<'_, N>,
+    file: &schema::File,
     contact: impl Fn(&Entry<'_, N>) -> Result<(Contact<N, M>, Option<Piece>), Failure>,
 ) -> Result<FileGrasp<N, M>, Failure> {
-    let Source { document, file, boundary, .. } = source;
+    let Source { document, boundary, .. } = source;
     if file.contacts.is_empty() {
         return Err(document.error(&Place::default().field("contacts"), Fault::NoContacts));
     }

@@ -124,7 +124,7 @@ impl<const N: usize> Entry<'_, N> {
                 Elastic::new(constants.young.0, constants.poisson.0)
             }
             schema::Material::Named(name) => {
-                let sizes = || units::sizes(&self.source.file.units);
+                let sizes = || units::sizes(self.source.units);
                 let found = Material::named(name).ok_or_else(|| material::unknown(name));
                 let found = found.and_then(|material| Ok((material, sizes()?)));
                 let (material, sizes) = found.map_err(|fault| self.error(&place, fault))?;

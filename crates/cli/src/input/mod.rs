@@ -8,6 +8,7 @@ mod touch;
 
 mod mesh;
 
+mod given;
 mod grasp;
 
 mod contact;
@@ -35,9 +36,11 @@ mod toml_tree;
 pub(crate) use boundary::{Piece, PieceKind};
 pub(crate) use document::Document;
 pub(crate) use fault::{InputError, LoadFault};
+pub(crate) use given::{GivenContact, Holder, given_contacts};
 pub(crate) use grasp::{FileGrasp, planar_grasp, spatial_grasp};
 pub(crate) use load::{LoadCase, NamedPoint};
-pub(crate) use number::{Finite, Whole};
-pub(crate) use part::{Part, PlanarShape, outline_part, part};
+pub(crate) use number::{FileName, Finite, Whole};
+pub(crate) use part::{Body, Part, PlanarShape, Solid, SpatialShape, Workpiece, part, workpiece};
 pub(crate) use place::Place;
+pub(crate) use solid::{mesh_file, touchable};
 pub(crate) use touch::without;

@@ -38,7 +38,7 @@ pub(crate) struct Name(pub(crate) String);
 pub(crate) struct Label(pub(crate) String);
 
 /// The path of another file.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub(crate) struct FileName(pub(crate) String);
 
 /// A point or a direction of the plane (`N` = 2) or of space (`N` = 3).
@@ -46,7 +46,7 @@ pub(crate) struct FileName(pub(crate) String);
 pub(crate) struct Point<const N: usize>(pub(crate) [f64; N]);
 
 /// A point or a direction of the plane or of space: which of them, the part says.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize)]
 pub(crate) struct Coordinates(pub(crate) Vec<f64>);
 
 /// A torque: one number in the plane, three in space; which of them, the part says.

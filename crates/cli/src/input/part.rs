@@ -5,6 +5,7 @@ use clench::optimize::polygon;
 use clench::screw::Vector;
 use clench::shape::{Ellipsoid, EllipsoidError, Extent, Polygon, PolygonError};
 
+use super::boundary::PieceKind;
 use super::document::Document;
 use super::fault::PartFault;
 use super::number::{Finite, PerPiece, Point};
@@ -14,7 +15,7 @@ use super::solid;
 use super::touch::allowed;
 use crate::failure::Failure;
 
-pub(crate) use super::solid::SpatialShape;
+pub(crate) use super::solid::{Solid, SpatialShape};
 
 /// A part, and how stiff a contact on it is unless it has a law.
 #[derive(Debug)]
@@ -28,6 +29,14 @@ pub(crate) enum Part {
 pub(crate) struct Body<S> {
     pub(crate) shape: S,
     pub(super) stiffness: Option<Vec<f64>>,
+}
+
+/// What fingers can be placed on.
+#[derive(Debug)]
+pub(crate) enum Workpiece {
+    Outline(Box<polygon::Part>),
+    /// A solid, and the stiffness of a contact on it, if it has any.
+    Solid(Box<Body<Solid>>),
 }
 
 /// A planar part.
@@ -57,24 +66,38 @@ pub(crate) fn part(document: &Document, part: &schema::Part) -> Result<Part, Fai
     }
 }
 
-/// The part of a file, for the placement of fingers: an outline with its stiffness.
-pub(crate) fn outline_part(
-    document: &Document,
-    part: &schema::Part,
-) -> Result<polygon::Part, Failure> {
-    if part.spatial.is_some() {
-        return Err(document.error(&Place::spatial(), PartFault::SpatialOptimum));
+/// The part of a file, for the placement of fingers.
+pub(crate) fn workpiece(document: &Document, part: &schema::Part) -> Result<Workpiece, Failure> {
+    match (&part.planar, &part.spatial) {
+        (Some(planar), None) => {
+            outline_part(document, planar).map(Box::new).map(Workpiece::Outline)
+        }
+        (None, Some(spatial)) => {
+            let Body { shape, stiffness } = solid::body(document, spatial)?;
+            match shape {
+                SpatialShape::Polyhedron(solid) => {
+                    Ok(Workpiece::Solid(Box::new(Body { shape: *solid, stiffness })))
+                }
+                SpatialShape::Ellipsoid(_) => {
+                    let place = Place::spatial().field("ellipsoid");
+                    Err(document.error(&place, PartFault::SmoothSolidOptimum))
+                }
+            }
+        }
+        (None, None) => Err(document.error(&Place::part(), PartFault::None)),
+        (Some(_), Some(_)) => Err(document.error(&Place::part(), PartFault::Two)),
     }
-    let Some(planar) = &part.planar else {
-        return Err(document.error(&Place::part(), PartFault::None));
-    };
+}
+
+/// An outline with its stiffness.
+fn outline_part(document: &Document, planar: &schema::Planar) -> Result<polygon::Part, Failure> {
     let here = |fault| document.error(&Place::planar(), fault);
     match (&planar.outline, &planar.stiffness) {
         (None, _) => Err(here(PartFault::SmoothOptimum)),
         (Some(_), _) if planar.ellipse.is_some() => {
             Err(here(PartFault::PlanarShape { found: "both" }))
         }
-        (Some(_), None) => Err(here(PartFault::NoStiffness)),
+        (Some(_), None) => Err(here(PartFault::NoStiffness { piece: PieceKind::Edge })),
         (Some(corners), Some(stiffness)) => {
             check_no_center(document, planar)?;
             let outline = outline(document, corners)?;
@@ -160,7 +183,7 @@ fn with_stiffness(
             OptimizeError::Stiffness { side: edge, .. } if each => place.item(edge),
             _ => place,
         };
-        document.error(&place, PartFault::EdgeStiffness(Box::new(e)))
+        document.error(&place, PartFault::PieceStiffness(Box::new(e)))
     })
 }
 

@@ -1,7 +1,11 @@
 //! From the numbers of a file, or from a mesh, to a spatial part.
 
+use std::path::PathBuf;
+
+use clench::optimize::{OptimizeError, polyhedron};
 use clench::shape::{Ellipsoid, Extent, Polyhedron, PolyhedronError};
 
+use super::boundary::PieceKind;
 use super::document::Document;
 use super::fault::{PartFault, listed};
 use super::mesh;
@@ -11,10 +15,22 @@ use super::place::Place;
 use super::schema;
 use crate::failure::Failure;
 
+/// The vertices of an STL file, which are of single precision, are off their plane by up to this
+/// part of the largest coordinate.
+const STL_FLATNESS: f64 = 1e-6;
+
+/// A solid, and how far the vertices of one plane may be off it.
+#[derive(Debug)]
+pub(crate) struct Solid {
+    pub(crate) polyhedron: Polyhedron,
+    /// By the precision of the file's coordinates [length].
+    pub(crate) flatness: f64,
+}
+
 /// A spatial part.
 #[derive(Debug)]
 pub(crate) enum SpatialShape {
-    Polyhedron(Box<Polyhedron>),
+    Polyhedron(Box<Solid>),
     Ellipsoid(Ellipsoid<3>),
 }
 
@@ -22,7 +38,7 @@ impl SpatialShape {
     /// What decides how far it reaches.
     pub(crate) fn extent(&self) -> Extent<'_, 3> {
         match self {
-            Self::Polyhedron(polyhedron) => Extent::from(&**polyhedron),
+            Self::Polyhedron(solid) => Extent::from(&solid.polyhedron),
             Self::Ellipsoid(ellipsoid) => Extent::from(ellipsoid),
         }
     }
@@ -42,16 +58,22 @@ pub(super) fn body(
         (Some(vertices), Some(faces), None, None) => {
             let polyhedron = polyhedron(document, vertices, faces)?;
             let stiffness = face_stiffness(document, spatial.stiffness.as_ref(), faces.len())?;
-            Ok(Body { shape: SpatialShape::Polyhedron(Box::new(polyhedron)), stiffness })
+            let solid = Solid { polyhedron, flatness: 0.0 };
+            Ok(Body { shape: SpatialShape::Polyhedron(Box::new(solid)), stiffness })
         }
         (None, None, Some(FileName(name)), None) => {
-            let mesh = mesh::read(&document.folder().join(name)).map_err(|fault| {
+            let path = document.folder().join(name);
+            let polyhedron = mesh::read(&path).map_err(|fault| {
                 let fault = PartFault::Mesh { name: name.clone(), fault };
                 document.error(&Place::spatial().field("mesh"), fault)
             })?;
             let reason = "the faces of a mesh have none of their own";
             let stiffness = one_stiffness(document, &here, spatial.stiffness.as_ref(), reason)?;
-            Ok(Body { shape: SpatialShape::Polyhedron(Box::new(mesh)), stiffness })
+            let reach = polyhedron.vertices().iter().map(|v| v.max_abs()).fold(0.0, f64::max);
+            let single = mesh::is_of_single_precision(&path);
+            let solid =
+                Solid { polyhedron, flatness: if single { STL_FLATNESS * reach } else { 0.0 } };
+            Ok(Body { shape: SpatialShape::Polyhedron(Box::new(solid)), stiffness })
         }
         (None, None, None, Some(semi_axes)) => {
             let shape = ellipsoid(document, &here, "ellipsoid", *semi_axes, spatial.center)?;
@@ -61,6 +83,39 @@ pub(super) fn body(
         }
         _ => Err(document.error(&here, PartFault::SpatialShape { found: found(spatial) })),
     }
+}
+
+/// The solid for the placement of fingers on its faces.
+pub(crate) fn touchable(
+    document: &Document,
+    part: &schema::Part,
+    body: &Body<Solid>,
+) -> Result<polyhedron::Part, Failure> {
+    let place = Place::spatial().field("stiffness");
+    let Solid { polyhedron, flatness } = &body.shape;
+    let stiffness = match body.stiffness.as_deref() {
+        None => {
+            let fault = PartFault::NoStiffness { piece: PieceKind::Face };
+            return Err(document.error(&Place::spatial(), fault));
+        }
+        Some([one]) => vec![*one; polyhedron.faces().len()],
+        Some(each) => each.to_vec(),
+    };
+    polyhedron::Part::new(polyhedron.clone(), stiffness, *flatness).map_err(|e| {
+        let given = part.spatial.as_ref().and_then(|spatial| spatial.stiffness.as_ref());
+        let each = matches!(given, Some(PerPiece::Each(_)));
+        let place = match e {
+            OptimizeError::UnlikeStiffness { faces: [_, face] } if each => place.item(face),
+            _ => place,
+        };
+        document.error(&place, PartFault::PieceStiffness(Box::new(e)))
+    })
+}
+
+/// The mesh file of a part, if it has one.
+pub(crate) fn mesh_file(document: &Document, part: &schema::Part) -> Option<PathBuf> {
+    let FileName(name) = part.spatial.as_ref()?.mesh.as_ref()?;
+    Some(document.folder().join(name))
 }
 
 /// The fields that describe a shape, as they were found.

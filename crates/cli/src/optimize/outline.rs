@@ -1,83 +1,52 @@
-//! `clench optimize`: where the fingers go.
+//! The placement of fingers on an outline.
 
-use std::ops::ControlFlow;
-
-use clench::contact::{Contact, ContactError, Geometry, Law, Order};
-use clench::metrics::{MetricsError, Quality, WorstPoint};
+use clench::contact::Geometry;
 use clench::optimize::polygon::{Fingers, Part, ThreeFingers, fingers, three_fingers};
-use clench::optimize::{Effort, Objective, OptimizeError, Outcome, Progress, Solution};
-use clench::stiffness::{Grasp, GraspError};
+use clench::optimize::{Effort, OptimizeError, Outcome, Placement, Solution};
+use clench::shape::Extent;
 
+use super::found::round;
+use super::{Found, Held, On, OutOfRange};
 use crate::answer::Answer;
-use crate::arguments::{Format, ObjectiveArgument, OptimizeArguments};
+use crate::arguments::OptimizeArguments;
 use crate::failure::Failure;
-use crate::held::principal;
 use crate::input::{self, Document, Finite, schema};
-use crate::interrupt::Interrupt;
-use crate::picture;
-use crate::progress::ProgressLine;
-use crate::report::{
-    self, EffortReport, ObjectiveWord, OptimumReport, OptimumText, Question, UnansweredReport,
-    UnitNames,
-};
+use crate::picture::{self, Picture};
+use crate::report::{OptimumReport, PlacementReport, Question, Subject};
 
-/// A placement that the search found, as a grasp.
-#[derive(Debug)]
-pub(crate) struct Found<'a> {
-    pub(crate) solution: &'a Solution<2, 1>,
-    /// The worst point by the stiffness that was optimized.
-    pub(crate) worst: WorstPoint<2>,
-    /// The quality with all that preload and finger radius add; only with a preload.
-    pub(crate) second_order: Option<Result<Quality<2, 1>, MetricsError>>,
-}
-
-/// Why a placement that was found has no numbers.
-#[derive(Debug, thiserror::Error)]
-pub(crate) enum OutOfRange {
-    /// The contact forces or the laws.
-    #[error(transparent)]
-    Contact(#[from] ContactError),
-    /// The stiffness of a contact.
-    #[error(transparent)]
-    Grasp(#[from] GraspError),
-    /// The principal stiffnesses.
-    #[error(transparent)]
-    Metrics(#[from] MetricsError),
-}
-
-/// Runs the command.
-pub(crate) fn optimize(arguments: &OptimizeArguments) -> Result<Answer, Failure> {
-    let (document, mut file) = Document::read(&arguments.part)?;
-    let part = input::outline_part(&document, &file.part)?;
+/// Runs the command on an outline.
+pub(super) fn optimize(
+    arguments: &OptimizeArguments,
+    document: &Document,
+    mut file: schema::File,
+    part: Part,
+) -> Result<Answer, Failure> {
+    arguments.check_for_outline().map_err(|message| Failure::Usage { message })?;
     let part = restricted(part, arguments)?;
     add_restrictions(&mut file.part, arguments);
-    let question = question(arguments, &file);
-    let outcome = match search(&part, &question, arguments) {
+    let effort = arguments.effort_on_outline();
+    let question = Question {
+        least_distance: arguments.least_distance(),
+        ..super::question(arguments, &file, (2, &effort))
+    };
+    let outcome = match search(&part, &question, (arguments, &effort)) {
         Ok(outcome) => outcome,
-        Err(
-            e @ (OptimizeError::NormalsNeverBalance { .. }
-            | OptimizeError::TorquesNeverBalance { .. }
-            | OptimizeError::ConditionsNeverMet { .. }
-            | OptimizeError::NothingFound { .. }),
-        ) => return unanswered(arguments, &question, &part, &e),
-        Err(error) => return Err(refused(document.name(), error)),
-    };
-    let range = |error| {
-        let (name, source) = (document.name().to_owned(), Box::new(error));
-        Failure::Range { name, source }
-    };
-    let best = examine(&part, &outcome.best, arguments).map_err(range)?;
-    let others = outcome.others.iter().map(|other| examine(&part, other, arguments));
-    let others = others.collect::<Result<Vec<_>, _>>().map_err(range)?;
-    let report = OptimumReport::new(&question, &part, &outcome, (&best, &others));
-    let text = match arguments.output.format {
-        Format::Text => {
-            OptimumText { name: document.name(), part: &part, report: &report }.to_string()
+        Err(error) if super::is_unanswered(&error) => {
+            let picture = Picture::Outline(picture::of_outline(part.outline()));
+            return super::unanswered(arguments, &question, &error, picture);
         }
-        Format::Json => report::json(&report)?,
+        Err(error) => return Err(super::refused(document.name(), error)),
     };
-    let picture = picture::of_optimum(&report, &part);
-    Ok(Answer { report: text, picture: Some(picture), reason: None })
+    let placement = |solution| {
+        let found = examined(&part, solution, arguments)?;
+        Ok(PlacementReport::planar(&question, &found))
+    };
+    let others = outcome.others.iter().map(placement).collect::<Result<Vec<_>, OutOfRange>>();
+    let placements = placement(&outcome.best).and_then(|best| Ok((best, others?)));
+    let placements = placements.map_err(super::out_of_range(document.name()))?;
+    let report = OptimumReport::new(&question, &outcome, placements);
+    let picture = Picture::Outline(picture::of_optimum(&report, &part));
+    super::answered(arguments, (document.name(), Subject::Outline(&part)), &report, picture)
 }
 
 /// The part without what the command line forbids.
@@ -115,116 +84,40 @@ fn add_restrictions(part: &mut schema::Part, arguments: &OptimizeArguments) {
     }
 }
 
-fn question<'a>(arguments: &OptimizeArguments, file: &'a schema::File) -> Question<'a> {
-    let rotation = arguments.objective == ObjectiveArgument::Rotation;
-    Question {
-        version: schema::VERSION,
-        dimension: 2,
-        units: &file.units,
-        part: &file.part,
-        fingers: arguments.fingers,
-        objective: match arguments.objective {
-            ObjectiveArgument::Quality => ObjectiveWord::Quality,
-            ObjectiveArgument::WorstPoint => ObjectiveWord::WorstPoint,
-            ObjectiveArgument::Rotation => ObjectiveWord::Rotation,
-        },
-        least_translation: rotation.then(|| arguments.least_translation.unwrap_or(0.0)),
-        total_preload: arguments.preload,
-        finger_radius: arguments.finger_radius,
-        least_distance: arguments.least_distance(),
-        least_share: arguments.least_share,
-        effort: EffortReport {
-            top: arguments.top,
-            gap: arguments.gap(),
-            time: arguments.time.map(|time| time.as_secs_f64()),
-            nodes: arguments.nodes,
-        },
-    }
-}
-
 fn search(
     part: &Part,
     question: &Question<'_>,
-    arguments: &OptimizeArguments,
+    (arguments, effort): (&OptimizeArguments, &Effort),
 ) -> Result<Outcome<2, 1>, OptimizeError> {
     let Question { fingers: count, finger_radius, least_share, .. } = *question;
-    let OptimizeArguments { top, time, nodes, .. } = *arguments;
-    let effort = Effort { top, gap: arguments.gap(), time, nodes };
-    let mut line = ProgressLine::start(UnitNames(question.units).per_length());
-    let interrupt = Interrupt::awaited();
-    let watch = |progress: &Progress| {
-        line.show(progress);
-        if interrupt.came() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
-    };
-    if count == 3 {
-        let total_preload = arguments.preload.unwrap_or(0.0);
-        let question = ThreeFingers { total_preload, finger_radius, least_share };
-        return three_fingers(part, &question, &effort, watch);
-    }
-    let objective = match arguments.objective {
-        ObjectiveArgument::Quality => Objective::Quality,
-        ObjectiveArgument::WorstPoint => Objective::WorstPoint,
-        ObjectiveArgument::Rotation => {
-            let least_translation = arguments.least_translation.unwrap_or(0.0);
-            Objective::Rotation { least_translation }
+    super::watched(question.units, |watch| {
+        if count == 3 {
+            let total_preload = arguments.preload.unwrap_or(0.0);
+            let question = ThreeFingers { total_preload, finger_radius, least_share };
+            return three_fingers(part, &question, effort, watch);
         }
-    };
-    let least_distance = question.least_distance.unwrap_or(0.0);
-    fingers(part, &Fingers { count, objective, least_distance, least_share }, &effort, watch)
-}
-
-/// What the search refused: by the option that it came from, if there is one.
-fn refused(name: &str, error: OptimizeError) -> Failure {
-    let option = match error {
-        OptimizeError::FingerCount { .. } => "--fingers",
-        OptimizeError::TotalPreload { .. } => "--preload",
-        OptimizeError::FingerRadius { .. } => "--finger-radius",
-        OptimizeError::LeastDistance { .. } => "--least-distance, or else twice --finger-radius",
-        OptimizeError::LeastShare { .. } => "--least-share",
-        OptimizeError::LeastTranslation { .. } => "--least-translation",
-        OptimizeError::Gap { .. } => "--gap",
-        _ => return Failure::Search { name: name.to_owned(), source: Box::new(error) },
-    };
-    Failure::Option { option: option.to_owned(), source: Box::new(error) }
-}
-
-fn unanswered(
-    arguments: &OptimizeArguments,
-    question: &Question<'_>,
-    part: &Part,
-    error: &OptimizeError,
-) -> Result<Answer, Failure> {
-    let reason = error.to_string();
-    let report = match arguments.output.format {
-        Format::Text => String::new(),
-        Format::Json => report::json(&UnansweredReport { question, reason: &reason })?,
-    };
-    let picture = picture::of_outline(part.outline());
-    Ok(Answer { report, picture: Some(picture), reason: Some(reason) })
+        let objective = arguments.objective();
+        let least_distance = question.least_distance.unwrap_or(0.0);
+        fingers(part, &Fingers { count, objective, least_distance, least_share }, effort, watch)
+    })
 }
 
 /// What the search does not say about a placement.
-fn examine<'a>(
+fn examined<'a>(
     part: &Part,
     solution: &'a Solution<2, 1>,
     arguments: &OptimizeArguments,
-) -> Result<Found<'a>, OutOfRange> {
-    let force = arguments.preload.unwrap_or(0.0);
-    let contacts = solution.placements.iter().map(|p| {
-        let law = Law::linear(part.edge_stiffness()[p.on])?;
+) -> Result<Found<'a, 2, 1>, OutOfRange> {
+    let radius = arguments.finger_radius;
+    let held = |p: &Placement<2>| Held {
+        on: Some(On::Edge(p.on)),
+        fixed: false,
+        geometry: Geometry::on_face(p.point, p.inward_normal, radius),
+        finger: round(radius),
+        stiffness: part.edge_stiffness()[p.on],
         // Shares are zero or more up to rounding.
-        let preload = (force * p.share).max(0.0);
-        Contact::new(
-            Geometry::on_face(p.point, p.inward_normal, arguments.finger_radius),
-            law,
-            preload,
-        )
-    });
-    let grasp = Grasp::new(contacts.collect::<Result<_, _>>()?)?;
-    let worst = WorstPoint::of(&solution.principal, part.outline())?;
-    let second_order = arguments.preload.map(|_| {
-        principal(&grasp, Order::Second)
-            .and_then(|principal| Quality::of(&principal, part.outline()))
-    });
-    Ok(Found { solution, worst, second_order })
+        share: p.share.max(0.0),
+    };
+    let contacts = solution.placements.iter().map(held).collect();
+    Found::new(solution, contacts, Extent::from(part.outline()), arguments.preload)
 }

@@ -1,14 +1,15 @@
-//! Pictures of grasps, from what the reports say.
+//! Pictures of planar grasps, from what the reports say.
 
 use clench::optimize::polygon::{Part, Stretch};
 use clench::screw::Vector;
 use clench::shape::{Ellipsoid, Farthest, Polygon};
 use clench_draw::{Color, Finger, GraspPicture, Mark, Region};
 
+use super::{array, finger_name};
 use crate::analyze::Analysis;
 use crate::input::{Piece, PlanarShape};
 use crate::metrics::Metrics;
-use crate::report::{LimitWord, OptimumReport, UnitNames, spot};
+use crate::report::{LimitWord, OptimumInPlane, OptimumReport, UnitNames, spot};
 
 /// Outlines with more corners, such as flattened arcs, are drawn without their numbers.
 const NUMBERED_CORNERS: usize = 40;
@@ -46,29 +47,31 @@ pub(crate) fn of_optimum(report: &OptimumReport<'_>, part: &Part) -> GraspPictur
     let (best, question) = (&report.best, report.question);
     let units = UnitNames(question.units);
     let fingers = best.contacts.iter().enumerate().map(|(i, contact)| Finger {
-        point: contact.point,
-        inward_normal: contact.inward_normal,
+        point: array(&contact.point),
+        inward_normal: array(&contact.inward_normal),
         radius: question.finger_radius,
         label: finger_name(i),
         preload: question.total_preload.map_or(String::new(), |_| units.force(contact.preload)),
     });
-    let reach = &best.reach;
-    let numbers = Numbers {
-        quality: best.quality,
-        limited_by: best.limited_by,
-        sigma_min: best.sigma_min,
-        mu_eq: best.mu_eq,
-        center: best.center_of_compliance,
-        farthest: Farthest {
-            point: Vector::from_fn(|i| reach.point[i]),
-            corner: reach.corner,
-            value: reach.distance,
-        },
-        worst_point_stiffness: best.worst_point_stiffness,
-    };
-    let mut picture = numbers.drawn_on(of_outline(part.outline()), units);
+    let mut picture = of_outline(part.outline());
+    if let Some(OptimumInPlane { center_of_compliance, reach }) = &best.in_plane {
+        let numbers = Numbers {
+            quality: best.quality,
+            limited_by: best.limited_by,
+            sigma_min: best.sigma_min,
+            mu_eq: best.mu_eq,
+            center: array(center_of_compliance),
+            farthest: Farthest {
+                point: Vector::new(array(&reach.point)),
+                corner: reach.corner,
+                value: reach.distance,
+            },
+            worst_point_stiffness: best.worst_point_stiffness,
+        };
+        picture = numbers.drawn_on(picture, units);
+    }
     picture.fingers = fingers.collect();
-    let contacts = best.contacts.iter().map(|contact| (Some(contact.edge), contact.point));
+    let contacts = best.contacts.iter().map(|contact| (contact.edge, array(&contact.point)));
     picture.caption.push(String::new());
     let size = part.outline().enclosing_circle().radius;
     picture.caption.extend(placed(contacts, size, units));
@@ -204,9 +207,4 @@ fn placed(
         format!("{} at {at} {length}{edge}", finger_name(i))
     };
     contacts.enumerate().map(line).collect()
-}
-
-/// Fingers have letters, so that their numbers are not taken for those of corners.
-fn finger_name(finger: usize) -> String {
-    format!("F{finger}")
 }

@@ -15,6 +15,7 @@ mod load_case_text;
 
 mod optimum;
 mod optimum_text;
+mod subject;
 
 mod number;
 mod page;
@@ -27,8 +28,11 @@ use crate::failure::Failure;
 pub(crate) use analysis::AnalysisReport;
 pub(crate) use analysis_text::AnalysisText;
 pub(crate) use number::{UnitNames, spot};
-pub(crate) use optimum::{EffortReport, OptimumReport, Question, UnansweredReport};
+pub(crate) use optimum::{
+    EffortReport, OptimumInPlane, OptimumReport, PlacementReport, Question, UnansweredReport,
+};
 pub(crate) use optimum_text::OptimumText;
+pub(crate) use subject::{SolidSubject, Subject};
 pub(crate) use words::{LimitWord, ObjectiveWord};
 
 /// A report as JSON.

@@ -2,15 +2,14 @@
 
 use std::num::NonZeroUsize;
 
-use clench::optimize::polygon::Part;
-use clench::optimize::{Combinations, Outcome, Placement};
+use clench::optimize::{Combinations, Outcome};
 use serde::{Serialize, Serializer};
 
 use super::quality::ReachReport;
 use super::words::{EndWord, LimitWord, ObjectiveWord};
 use crate::input::{Finite, Whole, schema};
-use crate::optimize::Found;
-use crate::view::plain;
+use crate::optimize::{Found, Held, On};
+use crate::view::{components, plain};
 
 /// What was asked, repeated in the report.
 #[derive(Clone, Copy, Debug, Serialize)]
@@ -25,9 +24,12 @@ pub(crate) struct Question<'a> {
     pub(crate) least_translation: Option<f64>,
     pub(crate) total_preload: Option<f64>,
     pub(crate) finger_radius: f64,
-    /// Not of three fingers.
+    /// Not of three fingers, and not on a solid.
     pub(crate) least_distance: Option<f64>,
     pub(crate) least_share: f64,
+    /// How far off its plane a vertex of a solid may be [length].
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(crate) flatness: Option<f64>,
     pub(crate) effort: EffortReport,
 }
 
@@ -63,7 +65,7 @@ pub(crate) struct OptimumReport<'a> {
     pub(crate) top: Vec<PlacementReport>,
 }
 
-/// The best placement on one combination of edges.
+/// The best placement on one combination of edges, faces or candidates.
 #[derive(Clone, Debug, Serialize)]
 pub(crate) struct PlacementReport {
     pub(crate) quality: f64,
@@ -71,10 +73,12 @@ pub(crate) struct PlacementReport {
     pub(crate) mu_eq: f64,
     pub(crate) limited_by: LimitWord,
     pub(crate) contacts: Vec<PlacedFinger>,
-    pub(crate) center_of_compliance: [f64; 2],
-    pub(crate) reach: ReachReport,
+    #[serde(flatten)]
+    pub(crate) in_plane: Option<OptimumInPlane>,
+    #[serde(flatten)]
+    pub(crate) in_space: Option<OptimumInSpace>,
     pub(crate) worst_point_stiffness: f64,
-    pub(crate) worst_point: [f64; 2],
+    pub(crate) worst_point: Vec<f64>,
     #[serde(skip_serializing_if = "Option::is_none")]
     pub(crate) worst_corner: Option<usize>,
     /// The least share.
@@ -86,16 +90,45 @@ pub(crate) struct PlacementReport {
     pub(crate) quality_second_order_missing: Option<String>,
 }
 
+/// What only placements on outlines have.
+#[derive(Clone, Debug, Serialize)]
+pub(crate) struct OptimumInPlane {
+    pub(crate) center_of_compliance: Vec<f64>,
+    pub(crate) reach: ReachReport,
+}
+
+/// What only placements on solids have.
+#[derive(Clone, Debug, Serialize)]
+pub(crate) struct OptimumInSpace {
+    pub(crate) quality_rotational: f64,
+    /// The point about which force and rotation couple symmetrically.
+    pub(crate) center: Vec<f64>,
+    /// Whether it is the center of compliance.
+    pub(crate) true_center_exists: bool,
+    pub(crate) worst_direction: Vec<f64>,
+}
+
 /// A finger at its place, in the words of the file schema.
 #[derive(Clone, Debug, Serialize)]
 pub(crate) struct PlacedFinger {
-    pub(crate) edge: usize,
-    pub(crate) point: [f64; 2],
-    pub(crate) inward_normal: [f64; 2],
+    /// Whether it was given rather than placed.
+    #[serde(skip_serializing_if = "std::ops::Not::not")]
+    pub(crate) fixed: bool,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(crate) edge: Option<usize>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(crate) face: Option<usize>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(crate) candidate: Option<usize>,
+    pub(crate) point: Vec<f64>,
+    pub(crate) inward_normal: Vec<f64>,
     pub(crate) law: schema::Law,
     pub(crate) preload: f64,
     pub(crate) share: f64,
     pub(crate) finger: schema::Finger,
+    /// That of the law, for the text.
+    #[serde(skip)]
+    pub(crate) stiffness: f64,
 }
 
 /// What is known about the optimum.
@@ -117,16 +150,13 @@ pub(crate) struct CombinationsReport {
 }
 
 impl<'a> OptimumReport<'a> {
-    /// The report on the best placement and the others.
-    pub(crate) fn new(
+    /// The report on the placements that were found, the best one first.
+    pub(crate) fn new<const N: usize, const M: usize>(
         question: &'a Question<'a>,
-        part: &Part,
-        outcome: &Outcome<2, 1>,
-        (best, others): (&Found<'_>, &[Found<'_>]),
+        outcome: &Outcome<N, M>,
+        (best, others): (PlacementReport, Vec<PlacementReport>),
     ) -> Self {
-        let placement = |found: &Found<'_>| PlacementReport::new(question, part, found);
-        let best = placement(best);
-        let all = std::iter::once(best.clone()).chain(others.iter().map(placement));
+        let all = std::iter::once(best.clone()).chain(others.iter().cloned());
         let top = if others.is_empty() { Vec::new() } else { all.collect() };
         let ended = EndWord::from(outcome.certificate.ended);
         let Combinations { total, examined, nodes } = outcome.combinations;
@@ -146,26 +176,50 @@ impl<'a> OptimumReport<'a> {
 }
 
 impl PlacementReport {
-    fn new(question: &Question<'_>, part: &Part, found: &Found<'_>) -> Self {
-        let solution = found.solution;
-        let quality = solution.quality;
-        let farthest = quality.softest_rotation().farthest;
-        let contact = |p: &Placement<2>| PlacedFinger::new(question, part, p);
-        let contacts: Vec<_> = solution.placements.iter().map(contact).collect();
+    /// A placement on an outline.
+    pub(crate) fn planar(question: &Question<'_>, found: &Found<'_, 2, 1>) -> Self {
+        let farthest = found.solution.quality.softest_rotation().farthest;
+        let in_plane = OptimumInPlane {
+            center_of_compliance: components(found.solution.center()),
+            reach: ReachReport {
+                corner: farthest.corner,
+                point: farthest.point.to_array().to_vec(),
+                distance: farthest.value,
+            },
+        };
+        Self { in_plane: Some(in_plane), ..Self::new(question, found) }
+    }
+
+    /// A placement on a solid.
+    pub(crate) fn spatial(question: &Question<'_>, found: &Found<'_, 3, 3>) -> Self {
+        let principal = &found.solution.principal;
+        let in_space = OptimumInSpace {
+            quality_rotational: found.softest.value,
+            center: components(principal.center()),
+            true_center_exists: principal.center_of_compliance().is_some(),
+            worst_direction: components(found.worst.direction),
+        };
+        Self { in_space: Some(in_space), ..Self::new(question, found) }
+    }
+
+    /// All but what only plane or space have.
+    fn new<const N: usize, const M: usize>(
+        question: &Question<'_>,
+        found: &Found<'_, N, M>,
+    ) -> Self {
+        let quality = &found.solution.quality;
+        let contacts = found.contacts.iter().map(|held| PlacedFinger::new(question, held));
+        let contacts: Vec<_> = contacts.collect();
         let second = found.second_order.as_ref();
         Self {
             quality: quality.value,
             sigma_min: quality.translational,
             mu_eq: quality.equivalent(),
             limited_by: quality.limited_by.into(),
-            center_of_compliance: solution.center().to_array().map(plain),
-            reach: ReachReport {
-                corner: farthest.corner,
-                point: farthest.point.to_array().to_vec(),
-                distance: farthest.value,
-            },
+            in_plane: None,
+            in_space: None,
             worst_point_stiffness: found.worst.stiffness,
-            worst_point: found.worst.point.to_array(),
+            worst_point: found.worst.point.to_array().to_vec(),
             worst_corner: found.worst.corner,
             preload_margin: contacts.iter().map(|c| c.share).fold(f64::INFINITY, f64::min),
             contacts,
@@ -178,35 +232,44 @@ impl PlacementReport {
 
     /// What was maximized.
     pub(crate) fn value(&self, objective: ObjectiveWord) -> f64 {
-        match objective {
-            ObjectiveWord::Quality => self.quality,
-            ObjectiveWord::WorstPoint => self.worst_point_stiffness,
-            ObjectiveWord::Rotation => self.mu_eq,
+        match (objective, &self.in_space) {
+            (ObjectiveWord::Quality, _) => self.quality,
+            (ObjectiveWord::WorstPoint, _) => self.worst_point_stiffness,
+            (ObjectiveWord::Rotation | ObjectiveWord::AnyRotation, Some(space)) => {
+                space.quality_rotational
+            }
+            (ObjectiveWord::Rotation | ObjectiveWord::AnyRotation, None) => self.mu_eq,
         }
     }
 
-    /// The edges that the fingers touch.
-    pub(crate) fn edges(&self) -> Vec<usize> {
-        self.contacts.iter().map(|contact| contact.edge).collect()
+    /// The fingers that were placed rather than given.
+    pub(crate) fn placed(&self) -> impl Iterator<Item = &PlacedFinger> {
+        self.contacts.iter().filter(|contact| !contact.fixed)
     }
 }
 
 impl PlacedFinger {
-    fn new(question: &Question<'_>, part: &Part, placement: &Placement<2>) -> Self {
-        let stiffness = Finite(part.edge_stiffness()[placement.on]);
-        let share = plain(placement.share.max(0.0));
+    fn new<const N: usize>(question: &Question<'_>, held: &Held<N>) -> Self {
+        let on = |wanted: fn(On) -> Option<usize>| held.on.and_then(wanted);
+        let share = plain(held.share);
         Self {
-            edge: placement.on,
-            point: placement.point.to_array().map(plain),
-            inward_normal: placement.inward_normal.to_array().map(plain),
-            law: schema::Law::Linear { stiffness },
+            fixed: held.fixed,
+            edge: on(On::edge),
+            face: on(On::face),
+            candidate: on(On::candidate),
+            point: components(held.geometry.point),
+            inward_normal: components(held.geometry.inward_normal),
+            law: schema::Law::Linear { stiffness: Finite(held.stiffness) },
             preload: question.total_preload.unwrap_or(0.0) * share,
             share,
-            finger: schema::Finger {
-                radius: Some(Finite(question.finger_radius)),
-                ..schema::Finger::default()
-            },
+            finger: held.finger.clone(),
+            stiffness: held.stiffness,
         }
+    }
+
+    /// The number of the edge, the face or the candidate that it is on.
+    pub(crate) fn number(&self) -> Option<usize> {
+        self.edge.or(self.face).or(self.candidate)
     }
 }
 

@@ -2,21 +2,19 @@
 
 use std::fmt;
 
-use clench::optimize::polygon::Part;
-
-use super::analysis::NO_SHARE;
 use super::analysis_text::share;
 use super::number::{UnitNames, counted, numbered, spot};
-use super::optimum::{OptimumReport, PlacementReport};
+use super::optimum::{OptimumReport, PlacedFinger, PlacementReport};
 use super::page::Page;
+use super::subject::{Subject, in_words};
 use super::words::{EndWord, LimitWord, ObjectiveWord};
-use crate::wording::{digits, precise_digits, rough_digits};
+use crate::wording::{self, digits, precise_digits, rough_digits};
 
 /// A report, and the part and the name of the file that it is on.
 #[derive(Debug)]
 pub(crate) struct OptimumText<'a> {
     pub(crate) name: &'a str,
-    pub(crate) part: &'a Part,
+    pub(crate) subject: Subject<'a>,
     pub(crate) report: &'a OptimumReport<'a>,
 }
 
@@ -42,7 +40,7 @@ impl OptimumText<'_> {
     }
 
     fn size(&self) -> f64 {
-        self.part.outline().enclosing_circle().radius
+        self.subject.size()
     }
 
     fn spot(&self, point: &[f64]) -> String {
@@ -50,26 +48,27 @@ impl OptimumText<'_> {
     }
 
     fn place(&self, point: &[f64], corner: Option<usize>) -> String {
-        numbered(self.spot(point), "corner", corner)
+        numbered(self.spot(point), self.subject.corner(), corner)
     }
 
-    fn count(&self) -> &'static str {
-        match self.report.question.fingers {
-            3 => "three",
-            4 => "four",
-            5 => "five",
-            6 => "six",
-            7 => "seven",
-            _ => "eight",
+    /// The number of fingers that are placed, and of contacts beside them.
+    fn count(&self) -> String {
+        let count = in_words(self.report.question.fingers);
+        match self.subject.fixed() {
+            0 => count,
+            fixed => format!("{count} beside {}", wording::counted(fixed, "fixed contact")),
         }
     }
 
     fn head(&self, page: &mut Page) {
         let (report, units) = (self.report, self.units());
-        let corners = self.part.outline().corners().len();
-        page.head("part", format_args!("{}, {corners} corners", self.name));
+        page.head("part", format_args!("{}, {}", self.name, self.subject.described()));
         page.head("units", units);
         page.head("frame", "that of the file");
+        if let Some(flatness) = report.question.flatness {
+            let meaning = "how far off a plane its vertices may be";
+            page.head("flatness", format_args!("{}, {meaning}", units.length(flatness)));
+        }
         let tips = match report.question.finger_radius {
             radius if radius > 0.0 => format!("with tips of radius {}", units.length(radius)),
             _ => "pointed".to_owned(),
@@ -91,19 +90,28 @@ impl OptimumText<'_> {
 
     /// The optimum is often a limit that no real finger reaches.
     fn limits(&self, page: &mut Page) {
-        let outline = self.part.outline();
         let mut limits = Vec::new();
         for (finger, contact) in self.report.best.contacts.iter().enumerate() {
-            if contact.share <= NO_SHARE {
+            let limit = || self.subject.limit_at(&contact.point).filter(|_| !contact.fixed);
+            if contact.share <= self.subject.no_share() {
                 limits.push(format!("finger {finger} barely presses"));
-            } else if let Some(corner) = outline.place(contact.point.into()).corner {
-                limits.push(format!("finger {finger} is at corner {corner}"));
+            } else if let Some(limit) = limit() {
+                limits.push(format!("finger {finger} is at {limit}"));
             }
         }
-        if !limits.is_empty() {
+        if limits.is_empty() {
+            return;
+        }
+        let advice = "move such fingers in a little";
+        if self.report.best.in_plane.is_some() {
             let limits = limits.join(", ");
-            let them = format!("the optimum is a limit: {limits}; move such fingers in a little");
-            page.head("warning", them);
+            return page
+                .head("warning", format_args!("the optimum is a limit: {limits}; {advice}"));
+        }
+        // Of many fingers in space the line would be too long to read.
+        page.head("warning", format_args!("the optimum is a limit; {advice}:"));
+        for limit in limits {
+            page.head("", limit);
         }
     }
 
@@ -142,6 +150,7 @@ impl OptimumText<'_> {
             ObjectiveWord::Quality => return,
             ObjectiveWord::WorstPoint => "least force per deflection",
             ObjectiveWord::Rotation => "equivalent rotational stiffness",
+            ObjectiveWord::AnyRotation => "least equivalent stiffness of all rotations",
         };
         let value = self.units().stiffness(report.best.value(objective));
         page.head("maximized", format_args!("{objective} = {value}, the {meaning}"));
@@ -151,7 +160,9 @@ impl OptimumText<'_> {
     fn certificate(&self, page: &mut Page) {
         let (certificate, question) = (self.report.certificate, self.report.question);
         let (effort, nodes) = (question.effort, self.report.combinations.nodes);
-        let placement = format!("no placement of {} fingers on this outline", self.count());
+        let fingers = if question.fingers == 1 { "finger" } else { "fingers" };
+        let (count, elsewhere) = (in_words(question.fingers), self.subject.elsewhere());
+        let placement = format!("no placement of {count} {fingers} {elsewhere}");
         let bound = format!(
             "{placement} has {} above {}, a gap of {}",
             question.objective,
@@ -166,20 +177,24 @@ impl OptimumText<'_> {
             }
             EndWord::Time => {
                 let time = digits(effort.time.unwrap_or(0.0));
-                page.head("stopped", format_args!("after {time} s, as asked for: {bound}"));
+                self.stopped(page, &format!("after {time} s, as asked for"), &bound);
             }
             EndWord::Nodes => {
-                let plural = if nodes == 1 { "" } else { "s" };
-                page.head(
-                    "stopped",
-                    format_args!("after {nodes} node{plural}, as asked for: {bound}"),
-                );
+                let nodes = wording::counted(usize::try_from(nodes).unwrap_or(usize::MAX), "node");
+                self.stopped(page, &format!("after {nodes}, as asked for"), &bound);
             }
-            EndWord::Interrupted => {
-                page.head("stopped", format_args!("by an interrupt: {bound}"));
-            }
+            EndWord::Interrupted => self.stopped(page, "by an interrupt", &bound),
         }
         page.head("search", self.effort());
+    }
+
+    /// A search that was stopped; bounds on solids have lines of their own.
+    fn stopped(&self, page: &mut Page, when: &str, bound: &str) {
+        if self.report.best.in_plane.is_some() {
+            return page.head("stopped", format_args!("{when}: {bound}"));
+        }
+        page.head("stopped", when);
+        page.head("bound", bound);
     }
 
     fn effort(&self) -> String {
@@ -194,7 +209,7 @@ impl OptimumText<'_> {
         format!(
             "{} combinations of {}{solved}; {} of them bounded",
             counted(combinations.total),
-            if cut { "stretches of edges" } else { "edges" },
+            if cut { "stretches of edges" } else { self.subject.combined() },
             counted_sets(combinations.nodes)
         )
     }
@@ -203,7 +218,8 @@ impl OptimumText<'_> {
     fn ties(&self, page: &mut Page) {
         let report = self.report;
         let quality = report.question.objective == ObjectiveWord::Quality;
-        if quality && report.best.limited_by == LimitWord::Translation {
+        let planar = report.best.in_plane.is_some();
+        if planar && quality && report.best.limited_by == LimitWord::Translation {
             let known = if report.certificate.proved { "" } else { " that was found" };
             let ties = "placements on these edges are as good while mu_eq is at least sigma_min";
             let chosen = format!("this one has the largest mu_eq{known}");
@@ -212,28 +228,40 @@ impl OptimumText<'_> {
     }
 
     fn fingers(&self, page: &mut Page) {
-        let (question, part) = (self.report.question, self.part);
-        let mut rows = vec![vec![
-            "finger".to_owned(),
-            "edge".to_owned(),
+        let question = self.report.question;
+        let (fixed, [place, _]) = (self.subject.fixed() > 0, self.subject.places());
+        let mut head = vec!["finger".to_owned()];
+        if fixed {
+            head.push("is".to_owned());
+        }
+        head.extend([
+            if fixed { "on".to_owned() } else { place.to_owned() },
             format!("point [{}]", question.units.length),
             "inward normal".to_owned(),
             format!("stiffness [{}]", self.units().per_length()),
             "share of preload".to_owned(),
-        ]];
+        ]);
         let preloaded = question.total_preload.is_some();
         if preloaded {
-            rows[0].push(format!("preload [{}]", question.units.force));
+            head.push(format!("preload [{}]", question.units.force));
         }
+        let mut rows = vec![head];
         for (i, contact) in self.report.best.contacts.iter().enumerate() {
-            let mut row = vec![
-                i.to_string(),
-                contact.edge.to_string(),
+            let number = contact.number().map_or_else(String::new, |number| number.to_string());
+            let mut row = vec![i.to_string()];
+            if fixed {
+                row.push(if contact.fixed { "fixed" } else { "placed" }.to_owned());
+                let on = if contact.fixed { "face" } else { place };
+                row.push(format!("{on} {number}"));
+            } else {
+                row.push(number);
+            }
+            row.extend([
                 spot(&contact.point, self.size()),
                 spot(&contact.inward_normal, 1.0),
-                digits(part.edge_stiffness()[contact.edge]),
+                digits(contact.stiffness),
                 share(contact.share),
-            ];
+            ]);
             if preloaded {
                 row.push(precise_digits(contact.preload));
             }
@@ -245,18 +273,26 @@ impl OptimumText<'_> {
     fn metrics(&self, page: &mut Page) {
         let (best, units) = (&self.report.best, self.units());
         page.row("sigma_min", units.stiffness(best.sigma_min), "least translational stiffness");
-        page.row(
-            "mu_eq",
-            units.stiffness(best.mu_eq),
-            "rotational stiffness / reach^2: comparable to sigma_min",
-        );
-        page.row("center of compliance", self.spot(&best.center_of_compliance), "");
-        let (reach, farthest) = (&best.reach, self.place(&best.reach.point, best.reach.corner));
-        let meaning = format!("to {farthest}, the farthest");
-        page.row("reach", units.length(reach.distance), meaning);
-        let worst = self.place(&best.worst_point, best.worst_corner);
-        let meaning = format!("worst point, least force per deflection: at {worst}");
-        page.row("Q_pt", units.stiffness(best.worst_point_stiffness), meaning);
+        let moved = if best.in_plane.is_some() { "reach" } else { "deflection" };
+        let meaning = format!("rotational stiffness / {moved}^2: comparable to sigma_min");
+        page.row("mu_eq", units.stiffness(best.mu_eq), meaning);
+        if let Some(plane) = &best.in_plane {
+            page.row("center of compliance", self.spot(&plane.center_of_compliance), "");
+            let (reach, point) = (&plane.reach, &plane.reach.point);
+            let meaning = format!("to {}, the farthest", self.place(point, reach.corner));
+            page.row("reach", units.length(reach.distance), meaning);
+        }
+        if let Some(space) = &best.in_space {
+            let value = units.stiffness(space.quality_rotational);
+            page.row("Q_V", value, "least mu_eq of all rotations that need no force");
+            let (label, meaning) = if space.true_center_exists {
+                ("center of compliance", "")
+            } else {
+                ("canonical point", "where force and rotation couple symmetrically")
+            };
+            page.row(label, self.spot(&space.center), meaning);
+        }
+        self.worst_point(page);
         if let Some(quality) = best.quality_second_order {
             let meaning = "Q with all that preload and finger radius add";
             page.row("second order", units.stiffness(quality), meaning);
@@ -264,6 +300,21 @@ impl OptimumText<'_> {
         if let Some(reason) = &best.quality_second_order_missing {
             page.row("second order", "none", reason);
         }
+    }
+
+    fn worst_point(&self, page: &mut Page) {
+        let best = &self.report.best;
+        let value = self.units().stiffness(best.worst_point_stiffness);
+        let meaning = "worst point, least force per deflection";
+        let Some(space) = &best.in_space else {
+            let at = self.place(&best.worst_point, best.worst_corner);
+            return page.row("Q_pt", value, format_args!("{meaning}: at {at}"));
+        };
+        page.row("Q_pt", value, meaning);
+        let corner = best.worst_corner.map(|v| format!("{} {v}, ", self.subject.corner()));
+        let along = spot(&space.worst_direction, 1.0);
+        let at = format!("{}moves along {along}", corner.unwrap_or_default());
+        page.row("worst point", self.spot(&best.worst_point), at);
     }
 
     fn top(&self, page: &mut Page) {
@@ -274,24 +325,28 @@ impl OptimumText<'_> {
         if other {
             heading.push(format!("{objective} [{unit}]"));
         }
-        heading.extend([
-            format!("Q [{unit}]"),
-            "limited by".to_owned(),
-            "edges".to_owned(),
-            format!("points [{}]", report.question.units.length),
-        ]);
+        // Points of space would make lines too long to read.
+        let with_points = report.best.in_plane.is_some();
+        let [_, places] = self.subject.places();
+        heading.extend([format!("Q [{unit}]"), "limited by".to_owned(), places.to_owned()]);
+        if with_points {
+            heading.push(format!("points [{}]", report.question.units.length));
+        }
         let mut rows = vec![heading];
         for (i, placement) in report.top.iter().enumerate() {
             let mut row = vec![(i + 1).to_string()];
             if other {
                 row.push(digits(placement.value(objective)));
             }
+            let on = placement.placed().filter_map(PlacedFinger::number);
             row.extend([
                 digits(placement.quality),
                 placement.limited_by.to_string(),
-                placement.edges().iter().map(ToString::to_string).collect::<Vec<_>>().join(" "),
-                self.points(placement),
+                on.map(|number| number.to_string()).collect::<Vec<_>>().join(" "),
             ]);
+            if with_points {
+                row.push(self.points(placement));
+            }
             rows.push(row);
         }
         page.table(&rows);

@@ -41,6 +41,9 @@ pub(crate) enum ObjectiveWord {
     Quality,
     WorstPoint,
     Rotation,
+    /// On a solid, where rotations are many.
+    #[serde(rename = "rotation")]
+    AnyRotation,
 }
 
 /// Why a search ended.
@@ -113,6 +116,7 @@ impl fmt::Display for ObjectiveWord {
             Self::Quality => "Q",
             Self::WorstPoint => "Q_pt",
             Self::Rotation => "mu_eq",
+            Self::AnyRotation => "Q_V",
         })
     }
 }

@@ -46,7 +46,7 @@ fn the_commands_of_the_readme_find_an_answer() {
             ran += 1;
         }
     }
-    assert_eq!(ran, 7);
+    assert_eq!(ran, 9);
     let drawn = fs::read_to_string(folder.path("bracket.svg")).unwrap();
     assert!(
         drawn == document("docs/bracket.svg"),
@@ -155,5 +155,11 @@ fn the_keys_of_the_reports_are_those_of_the_page() {
     assert_eq!(keys(&spatial["load_cases"][0]), listed(&["| key of a load case"]));
     let optimum =
         folder.json("optimize parts/quadrilateral.toml --fingers 4 --preload 0.8 --top 2");
-    assert_eq!(keys(&optimum), listed(&["| key of `optimize`"]));
+    let optimize = "| key of `optimize`";
+    assert_eq!(keys(&optimum), listed(&[optimize, "| of an outline | value"]));
+    let solid = folder.json(
+        "optimize parts/bearing-block.toml --fix parts/locators-321.toml \
+         --candidates parts/clamp-places.toml --fingers 2 --preload 1 --top 2",
+    );
+    assert_eq!(keys(&solid), listed(&[optimize, "| of a solid | value"]));
 }

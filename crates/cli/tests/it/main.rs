@@ -17,4 +17,7 @@ mod refusals;
 mod run;
 mod searches;
 mod solids;
+mod spatial_optima;
+mod spatial_pictures;
+mod spatial_refusals;
 mod unanswered;

@@ -25,9 +25,9 @@ const FACES: [[usize; 4]; 6] =
 const HEAD: usize = 84;
 const TRIANGLE: usize = 50;
 
-type Triangle = [[f32; 3]; 3];
+pub(crate) type Triangle = [[f32; 3]; 3];
 
-fn triangles() -> Vec<Triangle> {
+pub(crate) fn triangles() -> Vec<Triangle> {
     let half = |[a, b, c]: [usize; 3]| [CORNERS[a], CORNERS[b], CORNERS[c]];
     FACES.iter().flat_map(|&[a, b, c, d]| [half([a, b, c]), half([a, c, d])]).collect()
 }
@@ -41,7 +41,7 @@ fn text(triangles: &[Triangle]) -> String {
     format!("solid cube\n{}endsolid cube\n", triangles.iter().map(facet).collect::<String>())
 }
 
-fn binary(title: &str, triangles: &[Triangle]) -> Vec<u8> {
+pub(crate) fn binary(title: &str, triangles: &[Triangle]) -> Vec<u8> {
     let mut bytes = title.as_bytes().to_vec();
     bytes.resize(HEAD - 4, b' ');
     bytes.extend(u32::try_from(triangles.len()).unwrap_or(0).to_le_bytes());
@@ -53,7 +53,7 @@ fn binary(title: &str, triangles: &[Triangle]) -> Vec<u8> {
     bytes
 }
 
-fn obj() -> String {
+pub(crate) fn obj() -> String {
     let vertices = CORNERS.iter().map(|[x, y, z]| format!("v {x} {y} {z}\n"));
     let faces = FACES.map(|face| face.map(|corner| (corner + 1).to_string()).join(" "));
     vertices.chain(faces.iter().map(|face| format!("f {face}\n"))).collect()

@@ -13,3 +13,5 @@ mod cases;
 mod laws;
 mod limits;
 mod sampling;
+mod solid_limits;
+mod solids;

@@ -14,7 +14,7 @@ use miette::Diagnostic;
 use super::excerpt::Excerpt;
 use super::number::in_words;
 use super::place::Place;
-use super::schema::VERSION;
+use super::schema::{Units, VERSION};
 
 pub(crate) use contact::{ContactFault, Coordinates, Nearest};
 pub(crate) use load::LoadFault;
@@ -105,6 +105,15 @@ pub(crate) enum Fault {
     /// A point or a direction of space in a planar part, or the other way round.
     #[error("found {found} numbers, expected {}, as the part has", in_words(&[*.expected]))]
     Dimension { found: usize, expected: usize },
+    /// Contacts for the part of another file, in other units.
+    #[error(
+        "found the units {} and {}, expected those of {name}: {} and {}",
+        .units[0].length.0, .units[0].force.0, .units[1].length.0, .units[1].force.0
+    )]
+    OtherUnits { name: String, units: Box<[Units; 2]> },
+    /// Loads where only contacts count.
+    #[error("found loads, which `optimize` does not take into account; expected none")]
+    Loads,
     /// What is held.
     #[error(transparent)]
     Part(#[from] PartFault),

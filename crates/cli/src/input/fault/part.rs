@@ -4,6 +4,7 @@ use clench::optimize::OptimizeError;
 use clench::shape::{EllipsoidError, PolygonError, PolyhedronError};
 
 use super::MeshFault;
+use crate::input::PieceKind;
 use crate::wording::counted;
 
 /// Why a part was refused.
@@ -29,18 +30,21 @@ pub(crate) enum PartFault {
     /// A center where there is no ellipse or ellipsoid.
     #[error("found a `center`, which only an `{smooth}` has")]
     Center { smooth: &'static str },
-    /// A part in space where fingers are to be placed.
+    /// An ellipsoid where fingers are to be placed.
     #[error(
-        "found a spatial part, expected a planar one with an `outline`: \
-         `optimize` places fingers on outlines only"
+        "found an `ellipsoid`, which has no faces: `optimize` places fingers on outlines and on \
+         solids of plane faces"
     )]
-    SpatialOptimum,
+    SmoothSolidOptimum,
     /// An ellipse where fingers are to be placed.
     #[error("found no `outline`, expected one: `optimize` places fingers on outlines only")]
     SmoothOptimum,
     /// Fingers are to be placed, but how stiff they are is not known.
-    #[error("missing field `stiffness`, expected a positive number, or a list of one per edge")]
-    NoStiffness,
+    #[error("missing field `stiffness`, expected a positive number, or a list of one per {piece}")]
+    NoStiffness { piece: PieceKind },
+    /// Contacts for the part of another file, with a part that is not the same.
+    #[error("found another part than that of {name}, expected the same, or none")]
+    OtherPart { name: String },
     /// Too few points for an outline.
     #[error("found {}, expected at least 3", counted(*.count, "corner"))]
     TooFewCorners { count: usize },
@@ -56,9 +60,9 @@ pub(crate) enum PartFault {
     /// The mesh file is no mesh of a solid.
     #[error("{name}: {fault}")]
     Mesh { name: String, fault: MeshFault },
-    /// The edge stiffnesses are not valid.
+    /// The stiffnesses of edges or faces are not valid.
     #[error(transparent)]
-    EdgeStiffness(Box<OptimizeError>),
+    PieceStiffness(Box<OptimizeError>),
     /// A margin or a forbidden stretch is not valid.
     #[error(transparent)]
     Forbidden(Box<OptimizeError>),
@@ -82,7 +86,7 @@ pub(crate) enum PartFault {
 impl PartFault {
     pub(super) fn help(&self) -> Option<&'static str> {
         match self {
-            Self::SpatialOptimum | Self::SmoothOptimum => {
+            Self::SmoothSolidOptimum | Self::SmoothOptimum => {
                 Some("`clench analyze` reads every part, with contacts")
             }
             Self::None => Some("`clench --help` shows a file"),

@@ -10,13 +10,21 @@ use clench::shape::Polyhedron;
 
 use super::fault::MeshFault;
 
+/// Whether the file at `path` is one whose coordinates have single precision.
+pub(super) fn is_of_single_precision(path: &Path) -> bool {
+    ends(path, "stl")
+}
+
+fn ends(path: &Path, ending: &str) -> bool {
+    path.extension().is_some_and(|e| e.eq_ignore_ascii_case(ending))
+}
+
 /// The solid in the mesh file at `path`, an STL or OBJ file by its ending.
 ///
 /// The readers check little: what they would overlook is checked before, and that the faces
 /// enclose a solid after.
 pub(super) fn read(path: &Path) -> Result<Polyhedron, MeshFault> {
-    let ends = |ending: &str| path.extension().is_some_and(|e| e.eq_ignore_ascii_case(ending));
-    let (stl, obj) = (ends("stl"), ends("obj"));
+    let (stl, obj) = (ends(path, "stl"), ends(path, "obj"));
     if !stl && !obj {
         return Err(MeshFault::UnknownEnding);
     }

@@ -70,12 +70,12 @@ pub(crate) struct Finger {
     #[serde(skip_serializing_if = "Option::is_none")]
     pub(crate) radius: Option<Finite>,
     /// In the plane: 0 for a straight finger, negative for a hollow one [1 / length].
-    #[serde(skip_serializing)]
+    #[serde(skip_serializing_if = "Option::is_none")]
     pub(crate) curvature: Option<Finite>,
     /// In space: the first along `direction`, the second across it [1 / length].
-    #[serde(skip_serializing)]
+    #[serde(skip_serializing_if = "Option::is_none")]
     pub(crate) curvatures: Option<Vec<Finite>>,
-    #[serde(skip_serializing)]
+    #[serde(skip_serializing_if = "Option::is_none")]
     pub(crate) direction: Option<Coordinates>,
 }
 

@@ -22,14 +22,15 @@ pub(super) use words::{expected, help};
 /// The schema that this program reads.
 pub(crate) const VERSION: u64 = 1;
 
-/// A part, and for a grasp its contacts and what acts on it.
+/// A part, and for a grasp its contacts and what acts on it; `P` is an option where a file may have
+/// contacts alone.
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields, expecting = "a table with `part`")]
-pub(crate) struct File {
+pub(crate) struct File<P = Part> {
     pub(crate) version: Option<Whole>,
     #[serde(default)]
     pub(crate) units: Units,
-    pub(crate) part: Part,
+    pub(crate) part: P,
     #[serde(default)]
     pub(crate) contacts: Vec<Contact>,
     #[serde(default)]

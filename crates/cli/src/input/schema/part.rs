@@ -11,8 +11,7 @@ use super::Forbidden;
 pub(crate) struct Part {
     #[serde(skip_serializing_if = "Option::is_none")]
     pub(crate) planar: Option<Planar>,
-    /// `optimize`, which repeats its part, knows none.
-    #[serde(skip_serializing)]
+    #[serde(skip_serializing_if = "Option::is_none")]
     pub(crate) spatial: Option<Spatial>,
 }
 
@@ -41,21 +40,27 @@ pub(crate) struct Planar {
 }
 
 /// A spatial part: a polyhedron, from the file or from a mesh, or an ellipsoid.
-#[derive(Clone, Debug, Deserialize)]
+#[derive(Clone, Debug, Deserialize, Serialize)]
 #[serde(
     deny_unknown_fields,
     expecting = "a table with `vertices` and `faces`, `mesh` or `ellipsoid`"
 )]
 pub(crate) struct Spatial {
+    #[serde(skip_serializing_if = "Option::is_none")]
     pub(crate) vertices: Option<Vec<Point<3>>>,
     /// The corners of each face, counter-clockwise seen from outside.
+    #[serde(skip_serializing_if = "Option::is_none")]
     pub(crate) faces: Option<Vec<Vec<Whole>>>,
     /// The path of a mesh file, from the folder of this one.
+    #[serde(skip_serializing_if = "Option::is_none")]
     pub(crate) mesh: Option<FileName>,
     /// The semi-axes along x, y and z [length].
+    #[serde(skip_serializing_if = "Option::is_none")]
     pub(crate) ellipsoid: Option<Point<3>>,
     /// Of the ellipsoid; the origin if left out.
+    #[serde(skip_serializing_if = "Option::is_none")]
     pub(crate) center: Option<Point<3>>,
     /// Of a contact on each face, or anywhere [force / length].
+    #[serde(skip_serializing_if = "Option::is_none")]
     pub(crate) stiffness: Option<PerPiece>,
 }

@@ -3,7 +3,7 @@
 use super::super::node::Node;
 
 /// The results of `optimize` at the top of its report: `analyze` reads the rest as a grasp file.
-const RESULT_FIELDS: [&str; 24] = [
+const RESULT_FIELDS: [&str; 29] = [
     "dimension",
     "fingers",
     "objective",
@@ -12,6 +12,7 @@ const RESULT_FIELDS: [&str; 24] = [
     "finger_radius",
     "least_distance",
     "least_share",
+    "flatness",
     "effort",
     "quality",
     "sigma_min",
@@ -19,6 +20,10 @@ const RESULT_FIELDS: [&str; 24] = [
     "limited_by",
     "center_of_compliance",
     "reach",
+    "quality_rotational",
+    "center",
+    "true_center_exists",
+    "worst_direction",
     "worst_point_stiffness",
     "worst_point",
     "worst_corner",
@@ -31,7 +36,7 @@ const RESULT_FIELDS: [&str; 24] = [
 ];
 
 /// The results at each contact of such a report.
-const CONTACT_RESULT_FIELDS: [&str; 1] = ["share"];
+const CONTACT_RESULT_FIELDS: [&str; 3] = ["fixed", "candidate", "share"];
 
 /// Only reports of `optimize` have all of these.
 const MARKS_OF_A_REPORT: [&str; 2] = ["certificate", "combinations"];
@@ -59,11 +64,13 @@ mod tests {
     use super::{CONTACT_RESULT_FIELDS, RESULT_FIELDS};
     use crate::arguments::{Arguments, Command};
 
-    const PART: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../parts/quadrilateral.toml");
+    const PARTS: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../parts");
 
-    fn report(preload: &str) -> serde_json::Value {
-        let arguments = ["clench", "optimize", PART, "--fingers", "4", "--top", "2"];
-        let arguments = arguments.into_iter().chain(["--format", "json", "--preload", preload]);
+    /// The report on a question whose files are in the folder of the example parts.
+    fn report(question: &str) -> serde_json::Value {
+        let words = question.split(' ').map(|word| word.replace("PARTS", PARTS));
+        let arguments = ["clench", "optimize"].map(str::to_owned).into_iter().chain(words);
+        let arguments = arguments.chain(["--format", "json", "--top", "2"].map(str::to_owned));
         let Command::Optimize(arguments) = Arguments::parse_from(arguments).command else {
             panic!("another command than `optimize`")
         };
@@ -77,14 +84,22 @@ mod tests {
     /// A preload so large that its overlaps push the part away leaves no quality to second order.
     #[test]
     fn the_result_fields_are_those_of_a_report() {
-        let reports = [report("0.1"), report("1000")];
+        let planar = "PARTS/quadrilateral.toml --fingers 4 --preload";
+        let solid = "PARTS/bearing-block.toml --fix PARTS/locators-321.toml --fingers 2";
+        let reports = [
+            report(&format!("{planar} 0.1")),
+            report(&format!("{planar} 1000")),
+            report(&format!("{solid} --nodes 1")),
+            report(&format!("{solid} --candidates PARTS/clamp-places.toml --nodes 1")),
+        ];
         let mut found: BTreeSet<String> = reports.iter().flat_map(keys).collect();
         for read in ["version", "units", "part", "contacts"] {
             assert!(found.remove(read), "{read}");
         }
         assert_eq!(found, RESULT_FIELDS.map(str::to_owned).into());
-        let mut found = keys(&reports[0]["contacts"][0]);
-        for read in ["point", "inward_normal", "edge", "law", "preload", "finger"] {
+        let contacts = reports.iter().flat_map(|report| report["contacts"].as_array().unwrap());
+        let mut found: BTreeSet<String> = contacts.flat_map(keys).collect();
+        for read in ["point", "inward_normal", "edge", "face", "law", "preload", "finger"] {
             assert!(found.remove(read), "{read}");
         }
         assert_eq!(found, CONTACT_RESULT_FIELDS.map(str::to_owned).into());

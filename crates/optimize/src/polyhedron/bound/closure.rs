@@ -7,7 +7,10 @@ use super::ROUNDING;
 use super::pieces::Corners;
 
 /// Steps in which a twist that all forces help is looked for.
-const STEPS: usize = 12;
+const STEPS: usize = 32;
+
+/// Wrenches that are nearer to the origin than a point by no more than this part are as near.
+const NEARER: f64 = 1e-9;
 
 /// Normals within this of a half-space's border count as on it: the rounding of unit vectors.
 const BORDER: f64 = 4.0 * f64::EPSILON;
@@ -95,22 +98,108 @@ impl Contacts<'_> {
 
 /// A twist that all forces of the contacts help, if one is found: then they cannot balance.
 ///
-/// The point of the hull of their wrenches that is nearest to the origin is approached, each time
-/// towards the wrench that opposes it most.
+/// It is the point nearest to the origin of the hull of their wrenches, by Wolfe's algorithm: again
+/// and again the wrench that opposes it most joins a few that span it, and those that are not needed
+/// leave. P. Wolfe, Finding the nearest point in a polytope, Mathematical Programming 11 (1976).
 pub(crate) fn helped_twist(contacts: &Contacts<'_>, steps: usize) -> Option<Vector<6>> {
-    let mut twist = contacts.least_wrench(Vector::ZERO);
+    let mut span = Span::new(contacts.least_wrench(Vector::ZERO));
     for _ in 0..steps {
+        let twist = span.nearest();
         if contacts.least_power(twist) > 0.0 {
             return Some(twist);
         }
-        let way = contacts.least_wrench(twist) - twist;
-        let part = (-twist.dot(way) / way.norm_squared()).clamp(0.0, 1.0);
-        if !(part > 0.0 && part.is_finite()) {
+        let wrench = contacts.least_wrench(twist);
+        let square = twist.norm_squared();
+        if wrench.dot(twist) > (1.0 - NEARER) * square || !span.join(wrench) {
             return None;
         }
-        twist += way * part;
     }
     None
+}
+
+/// Up to seven points that span the part of their hull nearest to the origin.
+#[derive(Clone, Debug)]
+struct Span {
+    points: [Vector<6>; 7],
+    /// Of the nearest point so far; they sum to 1.
+    weights: [f64; 7],
+    count: usize,
+}
+
+impl Span {
+    fn new(point: Vector<6>) -> Self {
+        let mut weights = [0.0; 7];
+        weights[0] = 1.0;
+        Self { points: [point; 7], weights, count: 1 }
+    }
+
+    fn nearest(&self) -> Vector<6> {
+        let pairs = self.points.iter().zip(self.weights).take(self.count);
+        pairs.fold(Vector::ZERO, |sum, (&point, weight)| sum + point * weight)
+    }
+
+    /// Takes a point in, and leaves those behind that the nearest point does not need then; `false`
+    /// where the points are in one plane to rounding.
+    fn join(&mut self, point: Vector<6>) -> bool {
+        if self.count == 7 {
+            return false;
+        }
+        self.points[self.count] = point;
+        self.weights[self.count] = 0.0;
+        self.count += 1;
+        while let Some(target) = self.affine_weights() {
+            let n = self.count;
+            let part = (0..n)
+                .filter(|&i| target[i] <= 0.0)
+                .map(|i| self.weights[i] / (self.weights[i] - target[i]))
+                .fold(1.0, f64::min);
+            for i in 0..n {
+                self.weights[i] += part * (target[i] - self.weights[i]);
+            }
+            if part >= 1.0 {
+                return true;
+            }
+            let least =
+                (1..n).fold(0, |i, j| if self.weights[j] < self.weights[i] { j } else { i });
+            self.count -= 1;
+            self.points.swap(least, self.count);
+            self.weights.swap(least, self.count);
+        }
+        false
+    }
+
+    /// The weights, of any sign, of the point nearest to the origin in the plane of the points.
+    fn affine_weights(&self) -> Option<[f64; 7]> {
+        let n = self.count;
+        let mut rows = [[0.0; 8]; 7];
+        for i in 0..n {
+            for j in 0..n {
+                rows[i][j] = self.points[i].dot(self.points[j]) + 1.0;
+            }
+            rows[i][7] = 1.0;
+        }
+        // Positive definite where the points are affinely independent.
+        for p in 0..n {
+            let pivot = rows[p][p];
+            if pivot <= ROUNDING {
+                return None;
+            }
+            let row = rows[p];
+            for below in rows.iter_mut().take(n).skip(p + 1) {
+                let factor = below[p] / pivot;
+                for j in p..8 {
+                    below[j] -= factor * row[j];
+                }
+            }
+        }
+        let mut weights = [0.0; 7];
+        for p in (0..n).rev() {
+            let known: f64 = (p + 1..n).map(|j| rows[p][j] * weights[j]).sum();
+            weights[p] = (rows[p][7] - known) / rows[p][p];
+        }
+        let sum: f64 = weights.iter().sum();
+        Some(weights.map(|weight| weight / sum))
+    }
 }
 
 /// Whether some twist is helped by all forces of the contacts.

@@ -1,0 +1,149 @@
+//! `clench optimize`: where the fingers go.
+
+mod found;
+mod outline;
+mod solid;
+
+use std::ops::ControlFlow;
+
+use clench::optimize::{Effort, OptimizeError, Progress};
+
+use crate::answer::Answer;
+use crate::arguments::{Format, ObjectiveArgument, OptimizeArguments};
+use crate::failure::Failure;
+use crate::input::{self, Document, Workpiece, schema};
+use crate::interrupt::Interrupt;
+use crate::picture::Picture;
+use crate::progress::ProgressLine;
+use crate::report::{
+    self, EffortReport, ObjectiveWord, OptimumReport, OptimumText, Question, Subject,
+    UnansweredReport, UnitNames,
+};
+
+pub(crate) use found::{Found, Held, On, OutOfRange};
+
+/// Runs the command.
+pub(crate) fn optimize(arguments: &OptimizeArguments) -> Result<Answer, Failure> {
+    let (document, file) = Document::read(&arguments.part)?;
+    match input::workpiece(&document, &file.part)? {
+        Workpiece::Outline(part) => outline::optimize(arguments, &document, file, *part),
+        Workpiece::Solid(body) => {
+            let meshes = input::mesh_file(&document, &file.part).into_iter().collect();
+            let answer = solid::optimize(arguments, &document, file, &body)?;
+            Ok(Answer { meshes, ..answer })
+        }
+    }
+}
+
+/// The question, but for what only an outline or only a solid has.
+fn question<'a>(
+    arguments: &OptimizeArguments,
+    file: &'a schema::File,
+    (dimension, effort): (u8, &Effort),
+) -> Question<'a> {
+    let rotation = arguments.objective == ObjectiveArgument::Rotation;
+    Question {
+        version: schema::VERSION,
+        dimension,
+        units: &file.units,
+        part: &file.part,
+        fingers: arguments.fingers,
+        objective: match arguments.objective {
+            ObjectiveArgument::Quality => ObjectiveWord::Quality,
+            ObjectiveArgument::WorstPoint => ObjectiveWord::WorstPoint,
+            ObjectiveArgument::Rotation if dimension == 3 => ObjectiveWord::AnyRotation,
+            ObjectiveArgument::Rotation => ObjectiveWord::Rotation,
+        },
+        least_translation: rotation.then(|| arguments.least_translation.unwrap_or(0.0)),
+        total_preload: arguments.preload,
+        finger_radius: arguments.finger_radius,
+        least_distance: None,
+        least_share: arguments.least_share,
+        flatness: None,
+        effort: EffortReport {
+            top: effort.top,
+            gap: effort.gap,
+            time: effort.time.map(|time| time.as_secs_f64()),
+            nodes: effort.nodes,
+        },
+    }
+}
+
+/// What `search` finds while a line shows how far it is, and Ctrl-C ends it.
+fn watched<R>(
+    units: &schema::Units,
+    search: impl FnOnce(&mut dyn FnMut(&Progress) -> ControlFlow<()>) -> R,
+) -> R {
+    let mut line = ProgressLine::start(UnitNames(units).per_length());
+    let interrupt = Interrupt::awaited();
+    search(&mut |progress| {
+        line.show(progress);
+        if interrupt.came() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+    })
+}
+
+/// Whether the question was sound, but has no answer.
+const fn is_unanswered(error: &OptimizeError) -> bool {
+    matches!(
+        error,
+        OptimizeError::NormalsNeverBalance { .. }
+            | OptimizeError::TorquesNeverBalance { .. }
+            | OptimizeError::ConditionsNeverMet { .. }
+            | OptimizeError::MotionStaysFree { .. }
+            | OptimizeError::AlwaysEscapes { .. }
+            | OptimizeError::NeverHeld { .. }
+            | OptimizeError::NothingFound { .. }
+    )
+}
+
+/// What the search refused: by the option that it came from, if there is one.
+fn refused(name: &str, error: OptimizeError) -> Failure {
+    let option = match error {
+        OptimizeError::FingerCount { .. } => "--fingers",
+        OptimizeError::TooFewContacts { .. } | OptimizeError::TooManyContacts { .. } => {
+            "--fingers and --fix"
+        }
+        OptimizeError::TooFewCandidates { .. } => "--candidates",
+        OptimizeError::TotalPreload { .. } => "--preload",
+        OptimizeError::FingerRadius { .. } => "--finger-radius",
+        OptimizeError::LeastDistance { .. } => "--least-distance, or else twice --finger-radius",
+        OptimizeError::LeastShare { .. } => "--least-share",
+        OptimizeError::LeastTranslation { .. } => "--least-translation",
+        OptimizeError::Gap { .. } => "--gap",
+        _ => return Failure::Search { name: name.to_owned(), source: Box::new(error) },
+    };
+    Failure::Option { option: option.to_owned(), source: Box::new(error) }
+}
+
+fn out_of_range(name: &str) -> impl Fn(OutOfRange) -> Failure {
+    |error| Failure::Range { name: name.to_owned(), source: Box::new(error) }
+}
+
+/// The answer with the best placement.
+fn answered(
+    arguments: &OptimizeArguments,
+    (name, subject): (&str, Subject<'_>),
+    report: &OptimumReport<'_>,
+    picture: Picture,
+) -> Result<Answer, Failure> {
+    let text = match arguments.output.format {
+        Format::Text => OptimumText { name, subject, report }.to_string(),
+        Format::Json => report::json(report)?,
+    };
+    Ok(Answer { report: text, picture, meshes: Vec::new(), reason: None })
+}
+
+/// The answer that there is none.
+fn unanswered(
+    arguments: &OptimizeArguments,
+    question: &Question<'_>,
+    error: &OptimizeError,
+    picture: Picture,
+) -> Result<Answer, Failure> {
+    let reason = error.to_string();
+    let report = match arguments.output.format {
+        Format::Text => String::new(),
+        Format::Json => report::json(&UnansweredReport { question, reason: &reason })?,
+    };
+    Ok(Answer { report, picture, meshes: Vec::new(), reason: Some(reason) })
+}
