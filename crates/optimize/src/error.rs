@@ -173,8 +173,8 @@ pub enum OptimizeError {
     },
     /// No placement holds the part and fulfills the conditions as well.
     #[error(
-        "no placement of {fingers} frictionless fingers, on {combinations} combinations of edges, \
-         both holds the part and fulfills the conditions on it"
+        "no placement of {fingers} frictionless fingers, on {combinations} combinations of edges or \
+         faces, both holds the part and fulfills the conditions on it"
     )]
     ConditionsNeverMet {
         /// The number of fingers.
@@ -197,25 +197,31 @@ pub enum OptimizeError {
         faces: [usize; 2],
     },
     /// The point of a given contact or candidate is not finite.
-    #[error("the point of contact {number} is {point:?}, but has to be finite")]
+    #[error("the point of {kind} {number} is {point:?}, but has to be finite")]
     TouchPoint {
-        /// Its number, from 0.
+        /// Which list it is in.
+        kind: crate::polyhedron::TouchKind,
+        /// Its number there, from 0.
         number: usize,
         /// What was found.
         point: [f64; 3],
     },
     /// The normal of a given contact or candidate is not a unit vector.
-    #[error("the inward normal of contact {number} has the length {length}, but has to be 1")]
+    #[error("the inward normal of {kind} {number} has the length {length}, but has to be 1")]
     TouchNormal {
-        /// Its number, from 0.
+        /// Which list it is in.
+        kind: crate::polyhedron::TouchKind,
+        /// Its number there, from 0.
         number: usize,
         /// What was found.
         length: f64,
     },
     /// The stiffness of a given contact or candidate is not positive and finite.
-    #[error("the stiffness of contact {number} is {value}, but has to be a positive finite number")]
+    #[error("the stiffness of {kind} {number} is {value}, but has to be a positive finite number")]
     TouchStiffness {
-        /// Its number, from 0.
+        /// Which list it is in.
+        kind: crate::polyhedron::TouchKind,
+        /// Its number there, from 0.
         number: usize,
         /// What was found.
         value: f64,
@@ -241,6 +247,9 @@ pub enum OptimizeError {
         /// [`crate::polyhedron::MOST_CONTACTS`].
         most: usize,
     },
+    /// No finger may be on any face.
+    #[error("at most 0 fingers on a face leave no place for any")]
+    MostOnFace,
     /// There are fewer candidates than fingers.
     #[error("{found} candidates are too few for {fingers} fingers")]
     TooFewCandidates {

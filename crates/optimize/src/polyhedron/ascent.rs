@@ -23,11 +23,11 @@ const PATIENCE: usize = 16;
 const CHANGING: f64 = 0.02;
 const CHANGES: usize = 4;
 
-/// Of so many patches at most each is tried for each finger in a sweep.
-const SWEPT: usize = 1 << 14;
+/// So many places at most are tried for each finger in a sweep: all of so many candidates.
+const SWEPT: usize = 10_000;
 
 /// Sweeps follow each other while they gain, at most so often.
-const SWEEPS: usize = 8;
+const SWEEPS: usize = 4;
 
 /// A placement, and what it is worth.
 pub(super) type Climber<const K: usize> = (Worth, [Spot; K]);
@@ -71,7 +71,8 @@ impl<'a> Ascent<'a> {
         for _ in 0..SWEEPS {
             let before = best.0;
             let count = self.rating.scene.patches.len();
-            let stride = count.div_ceil(SWEPT).max(1);
+            let places_each = self.rating.scene.patches.first().map_or(1, |p| places(p).count());
+            let stride = (count * places_each).div_ceil(SWEPT).max(1);
             for i in 0..K {
                 for patch in (0..count).step_by(stride) {
                     for point in places(&self.rating.scene.patches[patch]) {

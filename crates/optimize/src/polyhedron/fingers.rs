@@ -8,7 +8,7 @@ use super::bound::Pieces;
 use super::rating::Rating;
 use super::scene::Scene;
 use super::search::SpatialSearch;
-use super::touch::Touch;
+use super::touch::{Touch, TouchKind};
 use super::{Part, part};
 use crate::search::{Leaders, Matter, choose, outcome, search};
 use crate::{Effort, Objective, OptimizeError, Outcome, Progress};
@@ -77,6 +77,9 @@ impl Fingers {
         if total > MOST_CONTACTS {
             return Err(OptimizeError::TooManyContacts { found: total, most: MOST_CONTACTS });
         }
+        if self.most_on_face == 0 {
+            return Err(OptimizeError::MostOnFace);
+        }
         let limit = (total as f64).recip();
         if !(0.0..limit).contains(&least_share) {
             return Err(OptimizeError::LeastShare { value: least_share, limit });
@@ -85,8 +88,24 @@ impl Fingers {
             return Err(OptimizeError::Roundness { value: roundness });
         }
         self.objective.checked()?;
-        let fixed = self.fixed.iter().enumerate().map(|(number, touch)| touch.checked(number));
+        let fixed = self
+            .fixed
+            .iter()
+            .enumerate()
+            .map(|(number, touch)| touch.checked(TouchKind::Given, number));
         Ok(Self { fixed: fixed.collect::<Result<_, _>>()?, ..self.clone() })
+    }
+}
+
+impl Fingers {
+    /// Why a search through all placements found none.
+    fn nothing(&self, combinations: f64) -> OptimizeError {
+        let fingers = self.count;
+        if self.least_share > 0.0 || self.objective.least_translation() > 0.0 {
+            OptimizeError::ConditionsNeverMet { fingers, combinations }
+        } else {
+            OptimizeError::NeverHeld { fingers, combinations }
+        }
     }
 }
 
@@ -104,12 +123,13 @@ impl Fingers {
 /// # Errors
 ///
 /// [`OptimizeError::FingerCount`], [`OptimizeError::TooFewContacts`],
-/// [`OptimizeError::TooManyContacts`], [`OptimizeError::LeastShare`], [`OptimizeError::Roundness`],
+/// [`OptimizeError::TooManyContacts`], [`OptimizeError::MostOnFace`],
+/// [`OptimizeError::LeastShare`], [`OptimizeError::Roundness`],
 /// [`OptimizeError::LeastTranslation`], [`OptimizeError::Gap`], [`OptimizeError::TouchPoint`],
 /// [`OptimizeError::TouchNormal`], [`OptimizeError::TouchStiffness`],
 /// [`OptimizeError::StiffnessSpread`]; [`OptimizeError::MotionStaysFree`],
-/// [`OptimizeError::AlwaysEscapes`] or [`OptimizeError::NeverHeld`] when so many frictionless
-/// fingers cannot hold the part; [`OptimizeError::NothingFound`] when the search was stopped
+/// [`OptimizeError::AlwaysEscapes`], [`OptimizeError::NeverHeld`] or
+/// [`OptimizeError::ConditionsNeverMet`] when so many frictionless fingers cannot hold the part so; [`OptimizeError::NothingFound`] when the search was stopped
 /// before; [`OptimizeError::OutOfRange`] when the numbers of the best placement overflow.
 pub fn fingers(
     part: &Part,
@@ -134,8 +154,7 @@ pub fn fingers(
 ///
 /// # Errors
 ///
-/// As [`fingers`]; [`OptimizeError::TooFewCandidates`]. Contacts are numbered with the candidates
-/// first, then the given ones.
+/// As [`fingers`]; [`OptimizeError::TooFewCandidates`].
 pub fn fingers_among(
     body: &ExtremePoints<3>,
     candidates: &[Touch],
@@ -149,7 +168,10 @@ pub fn fingers_among(
     if found < count {
         return Err(OptimizeError::TooFewCandidates { found, fingers: count });
     }
-    let candidates = candidates.iter().enumerate().map(|(number, touch)| touch.checked(number));
+    let candidates = candidates
+        .iter()
+        .enumerate()
+        .map(|(number, touch)| touch.checked(TouchKind::Candidate, number));
     let candidates = candidates.collect::<Result<Vec<_>, _>>()?;
     let all = candidates.iter().chain(&fingers.fixed).map(|touch| touch.stiffness);
     part::check_spread(all)?;
@@ -213,7 +235,7 @@ impl Asked<'_> {
             matter,
             &searched,
             |candidate| rating.solution(&candidate.place, number),
-            || OptimizeError::NeverHeld { fingers: K, combinations },
+            || fingers.nothing(combinations),
         )
     }
 }

@@ -73,7 +73,7 @@ pub use fingers::{
     FEWEST_CONTACTS, Fingers, MOST_CONTACTS, MOST_FINGERS, ROUNDNESS, fingers, fingers_among,
 };
 pub use part::Part;
-pub use touch::Touch;
+pub use touch::{Touch, TouchKind};
 
 #[cfg(test)]
 mod tests;

@@ -2,6 +2,7 @@
 
 use clench_metrics::{EquivalentStiffness, Principal, Quality, WorstPoint};
 use clench_screw::{Stiffness, Vector, Wrench};
+use clench_shape::ExtremePoints;
 
 use super::Fingers;
 use super::scene::Scene;
@@ -44,14 +45,21 @@ impl Rating<'_> {
             return None;
         }
         if let Worth::Held(..) = floor {
-            let worth = self.objectives(spots).filter(|worth| *worth > floor)?;
+            let principal = self.principal(spots)?;
+            // Some points of the body show what is worse than the floor at less cost.
+            let Scene { coarse, extremes, .. } = self.scene;
+            let looked = coarse.points().len() < extremes.points().len();
+            if looked && self.worth(&principal, coarse)? <= floor {
+                return None;
+            }
+            let worth = self.worth(&principal, extremes).filter(|worth| *worth > floor)?;
             return (self.least_share(spots)? >= self.least()).then_some(worth);
         }
         let share = self.least_share(spots)?;
         if share < self.least() {
             return Some(Worth::Loose(share)).filter(|worth| *worth > floor);
         }
-        self.objectives(spots)
+        self.worth(&self.principal(spots)?, &self.scene.extremes)
     }
 
     /// The least share that counts as pushing.
@@ -82,11 +90,6 @@ impl Rating<'_> {
         shares(&self.unit_wrenches(spots)).map_or_else(|| vec![0.0; count], |found| found.all)
     }
 
-    /// What is maximized and what among ties, whether or not the forces balance.
-    fn objectives(&self, spots: &[Spot]) -> Option<Worth> {
-        self.worth(&self.principal(spots)?)
-    }
-
     /// The principal parameters of the stiffness about the scene's center.
     pub(super) fn principal(&self, spots: &[Spot]) -> Option<Principal<3, 3>> {
         let patches = &self.scene.patches;
@@ -95,9 +98,9 @@ impl Rating<'_> {
         Principal::of(Vector::ZERO, &stiffness(placed.chain(fixed))).ok()
     }
 
-    /// The same from the principal parameters.
-    fn worth(&self, principal: &Principal<3, 3>) -> Option<Worth> {
-        let body = &self.scene.extremes;
+    /// What is maximized and what among ties, whether or not the forces balance; of fewer points of
+    /// the body, no less.
+    fn worth(&self, principal: &Principal<3, 3>, body: &ExtremePoints<3>) -> Option<Worth> {
         match self.fingers.objective {
             Objective::WorstPoint => {
                 let worst = WorstPoint::of(principal, body).ok()?;

@@ -8,6 +8,9 @@ use super::vectors::{first, joined, second};
 use super::{Fingers, Part, Touch, round};
 use crate::OptimizeError;
 
+/// Where a body has more extreme points, so many of them stand for it in bounds and first looks.
+const COARSE: usize = 64;
+
 /// A flat place to touch: a facet, or a candidate.
 #[derive(Clone, Debug)]
 pub(super) struct Patch {
@@ -99,6 +102,8 @@ pub(super) struct Scene<'a> {
     pub(super) stiffness_unit: f64,
     /// The same in the scene's units.
     pub(super) extremes: ExtremePoints<3>,
+    /// A few of them, far from each other; all if they are few.
+    pub(super) coarse: ExtremePoints<3>,
     pub(super) patches: Vec<Patch>,
     /// The fixed contacts: unit wrench, and `sqrt(k)`.
     pub(super) fixed: Vec<(Vector<6>, f64)>,
@@ -154,6 +159,7 @@ impl<'a> Scene<'a> {
             center: frame.center,
             radius: frame.radius,
             stiffness_unit: frame.stiffness,
+            coarse: coarse(&extremes),
             extremes,
             patches,
             fixed: fixed.collect(),
@@ -205,6 +211,26 @@ impl Scale {
         let offset = point - self.center;
         if self.radius > 0.0 { Vector::from_fn(|i| offset[i] / self.radius) } else { offset }
     }
+}
+
+/// Some of the extreme points, each time the one that is farthest from those before.
+fn coarse(extremes: &ExtremePoints<3>) -> ExtremePoints<3> {
+    let points = extremes.points();
+    if points.len() <= COARSE {
+        return extremes.clone();
+    }
+    let mut distances = vec![f64::INFINITY; points.len()];
+    let mut next = 0;
+    let mut chosen = Vec::with_capacity(COARSE);
+    while chosen.len() < COARSE {
+        chosen.push(points[next].to_array());
+        for (distance, &x) in distances.iter_mut().zip(points) {
+            *distance = distance.min((x - points[next]).norm_squared());
+        }
+        let farther = |i: usize, j: usize| if distances[j] > distances[i] { j } else { i };
+        next = (0..points.len()).fold(0, farther);
+    }
+    ExtremePoints::new(&chosen).unwrap_or_else(|_| extremes.clone())
 }
 
 /// The corners of the convex hull of points in the plane across `normal`.

@@ -137,7 +137,7 @@ fn cuts(rating: Rating<'_>, principal: &Principal<3, 3>) -> Vec<(Cut, f64)> {
     };
     let by_translation = principal.translational_compliance();
     let mut found: Vec<(f64, Vector<3>, Vector<3>)> = Vec::new();
-    for &x in rating.scene.extremes.points() {
+    for &x in rating.scene.coarse.points() {
         let mut compliance = principal.compliance_at(x);
         if rotation {
             compliance = compliance - *by_translation;

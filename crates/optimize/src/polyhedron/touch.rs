@@ -18,20 +18,38 @@ pub struct Touch {
     pub stiffness: f64,
 }
 
+/// Which list a [`Touch`] is in.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum TouchKind {
+    /// The contacts that are given.
+    Given,
+    /// The candidates.
+    Candidate,
+}
+
+impl std::fmt::Display for TouchKind {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.write_str(match self {
+            Self::Given => "given contact",
+            Self::Candidate => "candidate",
+        })
+    }
+}
+
 impl Touch {
-    /// Checks number `number` of some touches.
-    pub(super) fn checked(&self, number: usize) -> Result<Self, OptimizeError> {
+    /// Checks the touch with this number in its list.
+    pub(super) fn checked(&self, kind: TouchKind, number: usize) -> Result<Self, OptimizeError> {
         let Self { point, inward_normal, stiffness } = *self;
         if !point.is_finite() {
-            return Err(OptimizeError::TouchPoint { number, point: point.to_array() });
+            return Err(OptimizeError::TouchPoint { kind, number, point: point.to_array() });
         }
         let length = inward_normal.norm();
         let Some(normal) = inward_normal.direction().filter(|_| (length - 1.0).abs() <= UNIT)
         else {
-            return Err(OptimizeError::TouchNormal { number, length });
+            return Err(OptimizeError::TouchNormal { kind, number, length });
         };
         if !(stiffness > 0.0 && stiffness.is_finite()) {
-            return Err(OptimizeError::TouchStiffness { number, value: stiffness });
+            return Err(OptimizeError::TouchStiffness { kind, number, value: stiffness });
         }
         Ok(Self { inward_normal: normal, ..*self })
     }

@@ -1,6 +1,6 @@
 //! What is refused on solids, and what can never be held.
 
-use clench_optimize::polyhedron::{Fingers, Part, Touch, fingers, fingers_among};
+use clench_optimize::polyhedron::{Fingers, Part, Touch, TouchKind, fingers, fingers_among};
 use clench_optimize::{Effort, Ended, Objective, OptimizeError, unwatched};
 use clench_screw::{Screw, Vector};
 use clench_shape::Polyhedron;
@@ -75,11 +75,17 @@ fn faults_of_a_question_are_named() {
         refused(&part, &Fingers { fixed, ..Fingers::new(2) })
     };
     let nan = with(touch([0.0, f64::NAN, 0.0], [0.0, 0.0, 1.0]));
-    assert!(matches!(nan, OptimizeError::TouchPoint { number: 3, .. }), "{nan}");
+    assert!(
+        matches!(nan, OptimizeError::TouchPoint { kind: TouchKind::Given, number: 3, .. }),
+        "{nan}"
+    );
     let long = with(touch([0.0, 0.0, 0.0], [0.0, 0.0, 2.0]));
-    assert_eq!(long, OptimizeError::TouchNormal { number: 3, length: 2.0 });
+    assert_eq!(long, OptimizeError::TouchNormal { kind: TouchKind::Given, number: 3, length: 2.0 });
     let soft = with(Touch { stiffness: 0.0, ..fixed[0] });
-    assert_eq!(soft, OptimizeError::TouchStiffness { number: 3, value: 0.0 });
+    assert_eq!(
+        soft,
+        OptimizeError::TouchStiffness { kind: TouchKind::Given, number: 3, value: 0.0 }
+    );
 
     let body = part.solid().extreme_points();
     let few = fingers_among(body, &fixed[..6], &none, &Effort::default(), unwatched);

@@ -12,7 +12,7 @@ use clench_testkit::solids::{self, Mesh};
 use clench_testkit::{Random, assert_close};
 
 /// How far the searches of these tests close in.
-const GAP: f64 = 0.02;
+const GAP: f64 = 0.06;
 
 fn solid((vertices, faces): &Mesh) -> Polyhedron {
     Polyhedron::new(vertices, faces).unwrap()
@@ -220,18 +220,16 @@ fn one_clamp_is_where_a_grid_finds_it() {
         touch([1.2, 3.0, 0.5], [0.0, -1.0, 0.0]),
     ];
     let question = Fingers { fixed: fixed.clone(), ..Fingers::new(1) };
-    let effort = Effort { gap: 1e-3, ..Effort::default() };
-    let started = std::time::Instant::now();
+    let effort = Effort { gap: 1e-6, ..Effort::default() };
     let outcome = fingers(&part, &question, &effort, unwatched).unwrap();
-    eprintln!("{:?} {:?}", started.elapsed(), outcome.combinations);
-    assert!(outcome.gap() <= 1e-3);
+    assert!(outcome.gap() <= 1e-6);
     let mut grid = Vec::new();
     for facet in part.facets() {
         for [a, b, c] in facet.triangles() {
-            let steps = 60;
+            let steps = 40;
             for i in 0..=steps {
                 for j in 0..=steps - i {
-                    let [u, v] = [i, j].map(|k| k as f64 / steps as f64);
+                    let [u, v] = [i, j].map(|k| f64::from(k) / f64::from(steps));
                     let point = *a + (*b - *a) * u + (*c - *a) * v;
                     let inward_normal = facet.inward_normal();
                     grid.push(Touch { point, inward_normal, stiffness: 1.0 });

@@ -110,7 +110,13 @@ impl Limits {
         let linear = plain * sigma + sigma * a + 2.0 * b - total;
         let constant = (total * sigma + c).max(0.0);
         let root = (linear * linear + 4.0 * plain * constant).sqrt();
-        let sum = linear + root;
-        if sum > 0.0 { 2.0 * constant / sum } else { f64::INFINITY }
+        // Each form where nothing cancels.
+        if linear > 0.0 {
+            2.0 * constant / (linear + root)
+        } else if plain > 0.0 {
+            0.5 * (root - linear) / plain
+        } else {
+            f64::INFINITY
+        }
     }
 }

@@ -163,7 +163,13 @@ impl<'a> Pieces<'a> {
             let (center, axes) = principal_box(wrenches, Vector::from_fn(|_| 1.0));
             in_box = Some(self.boxes.len() as u32);
             self.boxes.push(Enclosed { center, axes });
-            let stride = wrenches.len().div_ceil(SCAN_LIMIT);
+            // Those at the ends of the box, so that what they span is what all span, and others.
+            for axis in axes {
+                let by_axis = |p: &&Vector<6>, q: &&Vector<6>| p.dot(axis).total_cmp(&q.dot(axis));
+                self.corners.extend(wrenches.iter().min_by(by_axis));
+                self.corners.extend(wrenches.iter().max_by(by_axis));
+            }
+            let stride = wrenches.len().div_ceil(SCAN_LIMIT - 12);
             self.corners.extend(wrenches.iter().step_by(stride));
         } else {
             self.corners.extend(wrenches);

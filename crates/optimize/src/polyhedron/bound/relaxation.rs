@@ -130,7 +130,8 @@ impl<'a> Relaxation<'a> {
         let spread = corners.iter().zip(shares).map(|(&p, share)| p * share.sqrt());
         let fixed = node.fixed.iter().map(|&(wrench, weight)| wrench * weight);
         let principal = Principal::of(Vector::ZERO, &stiffness(spread.chain(fixed))).ok()?;
-        let body = &self.rating.scene.extremes;
+        // Any points of the body make cuts that hold.
+        let body = &self.rating.scene.coarse;
         let (sigma, mu) = (principal.translational(), principal.rotational());
         let cylinder = || Cut::cylinder(&principal, mu.vectors[0], self.cylinder_squared);
         match self.rating.fingers.objective {

@@ -75,7 +75,9 @@ fn the_search_among_candidates_finds_the_best_of_all_combinations() {
         let Some(&(_, most)) = all.first() else {
             let none = matches!(
                 found,
-                Err(OptimizeError::NeverHeld { .. } | OptimizeError::AlwaysEscapes { .. })
+                Err(OptimizeError::NeverHeld { .. }
+                    | OptimizeError::AlwaysEscapes { .. }
+                    | OptimizeError::ConditionsNeverMet { .. })
             );
             assert!(none, "{found:?}");
             continue;

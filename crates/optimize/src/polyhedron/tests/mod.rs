@@ -8,6 +8,7 @@
 )]
 
 mod bounds;
+mod cuts;
 mod enumeration;
 
 use clench_screw::spatial::cross;
@@ -70,9 +71,12 @@ pub(super) fn held<const K: usize>(rating: Rating<'_>, seed: u64) -> Option<(Wor
 /// Whether a spot is on a triangle of its patch, to rounding.
 pub(super) fn is_on(patch: &Patch, triangle: &[clench_screw::Vector<3>; 3], spot: &Spot) -> bool {
     let [a, b, c] = *triangle;
-    let turn = |p: clench_screw::Vector<3>, q| cross(q - p, spot.point - p).dot(patch.normal);
+    // The distances from the edges' lines, with a sign.
+    let turn = |p: clench_screw::Vector<3>, q: clench_screw::Vector<3>| {
+        cross(q - p, spot.point - p).dot(patch.normal) / (q - p).norm()
+    };
     let turns = [turn(a, b), turn(b, c), turn(c, a)];
-    turns.iter().all(|t| *t <= 1e-12) || turns.iter().all(|t| *t >= -1e-12)
+    turns.iter().all(|t| *t <= 4e-15) || turns.iter().all(|t| *t >= -4e-15)
 }
 
 /// A piece that a spot is on, at most so deep in the tree.
