@@ -41,9 +41,10 @@ pub(crate) struct OptimizeArguments {
     /// as for --fix.
     #[arg(long, value_name = "FILE")]
     pub(crate) candidates: Option<PathBuf>,
-    /// What to maximize; three fingers on an outline know quality only.
-    #[arg(long, value_enum, default_value = "quality")]
-    pub(crate) objective: ObjectiveArgument,
+    /// What to maximize: if left out quality, on a solid worst-point, whose bounds are the tightest.
+    /// Three fingers on an outline know quality only.
+    #[arg(long, value_enum)]
+    objective: Option<ObjectiveArgument>,
     /// With --objective rotation: the least `sigma_min` (force / length); 0 if left out.
     #[arg(long, value_name = "S", value_parser = value::not_negative)]
     #[arg(allow_hyphen_values = true)]
@@ -122,7 +123,7 @@ impl OptimizeArguments {
 
     /// How far a search on an outline goes.
     pub(crate) fn effort_on_outline(&self) -> Effort {
-        let closes_in = self.fingers > 4 || self.objective == ObjectiveArgument::WorstPoint;
+        let closes_in = self.fingers > 4 || self.maximized(2) == ObjectiveArgument::WorstPoint;
         let gap = self.gap.unwrap_or(if closes_in { DEFAULT_GAP } else { 0.0 });
         Effort { top: self.top, gap, time: self.time, nodes: self.nodes }
     }
@@ -134,9 +135,16 @@ impl OptimizeArguments {
         Effort { top: self.top, gap, time, nodes: self.nodes }
     }
 
-    /// What is maximized.
-    pub(crate) fn objective(&self) -> Objective {
-        match self.objective {
+    /// What is maximized on a part of this dimension.
+    pub(crate) fn maximized(&self, dimension: u8) -> ObjectiveArgument {
+        let default =
+            if dimension == 3 { ObjectiveArgument::WorstPoint } else { ObjectiveArgument::Quality };
+        self.objective.unwrap_or(default)
+    }
+
+    /// The same for the search.
+    pub(crate) fn objective(&self, dimension: u8) -> Objective {
+        match self.maximized(dimension) {
             ObjectiveArgument::Quality => Objective::Quality,
             ObjectiveArgument::WorstPoint => Objective::WorstPoint,
             ObjectiveArgument::Rotation => {
@@ -154,7 +162,7 @@ impl OptimizeArguments {
 
     /// Checks that the options go with each other, whatever the part is.
     pub(super) fn checked(&self) -> Result<(), (ErrorKind, String)> {
-        if self.least_translation.is_some() && self.objective != ObjectiveArgument::Rotation {
+        if self.least_translation.is_some() && self.objective != Some(ObjectiveArgument::Rotation) {
             let message = "--least-translation goes with --objective rotation only".to_owned();
             return Err((ErrorKind::ArgumentConflict, message));
         }
@@ -179,7 +187,7 @@ impl OptimizeArguments {
                            frictionless fingers resist rotation by their preload alone";
             return Err(message.to_owned());
         }
-        if count == 3 && self.objective != ObjectiveArgument::Quality {
+        if count == 3 && self.maximized(2) != ObjectiveArgument::Quality {
             return Err("--fingers 3 goes with --objective quality only".to_owned());
         }
         if count == 3 && self.least_distance.is_some() {

@@ -41,14 +41,15 @@ fn question<'a>(
     file: &'a schema::File,
     (dimension, effort): (u8, &Effort),
 ) -> Question<'a> {
-    let rotation = arguments.objective == ObjectiveArgument::Rotation;
+    let maximized = arguments.maximized(dimension);
+    let rotation = maximized == ObjectiveArgument::Rotation;
     Question {
         version: schema::VERSION,
         dimension,
         units: &file.units,
         part: &file.part,
         fingers: arguments.fingers,
-        objective: match arguments.objective {
+        objective: match maximized {
             ObjectiveArgument::Quality => ObjectiveWord::Quality,
             ObjectiveArgument::WorstPoint => ObjectiveWord::WorstPoint,
             ObjectiveArgument::Rotation if dimension == 3 => ObjectiveWord::AnyRotation,

@@ -96,7 +96,7 @@ fn search(
             let question = ThreeFingers { total_preload, finger_radius, least_share };
             return three_fingers(part, &question, effort, watch);
         }
-        let objective = arguments.objective();
+        let objective = arguments.objective(2);
         let least_distance = question.least_distance.unwrap_or(0.0);
         fingers(part, &Fingers { count, objective, least_distance, least_share }, effort, watch)
     })

@@ -106,7 +106,7 @@ impl<'a> Task<'a> {
         let arguments = self.arguments;
         let asked = Fingers {
             fixed: self.fixed.iter().map(GivenContact::touch).collect(),
-            objective: arguments.objective(),
+            objective: arguments.objective(3),
             least_share: arguments.least_share,
             ..Fingers::new(arguments.fingers)
         };
