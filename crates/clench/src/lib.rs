@@ -41,7 +41,8 @@
 //!
 //! The guide is in `docs/guide` of the repository: *From material and geometry to stiffness* goes
 //! from elastic constants to the stability of a pinched bar; *What does not depend on the frame*
-//! from a stiffness to the measures of how well it holds.
+//! from a stiffness to the measures of how well it holds; *Where to put fingers on a solid* on to
+//! placements with a bound.
 
 pub use clench_contact as contact;
 pub use clench_metrics as metrics;
@@ -61,4 +62,7 @@ mod documents {
 
     #[doc = include_str!("../../../docs/guide/measures.md")]
     struct Measures;
+
+    #[doc = include_str!("../../../docs/guide/solids.md")]
+    struct Solids;
 }

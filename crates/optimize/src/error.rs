@@ -173,8 +173,8 @@ pub enum OptimizeError {
     },
     /// No placement holds the part and fulfills the conditions as well.
     #[error(
-        "no placement of {fingers} frictionless fingers, on {combinations} combinations of edges or \
-         faces, both holds the part and fulfills the conditions on it"
+        "no placement of {fingers} frictionless fingers, on {combinations} combinations of edges \
+         or faces, both holds the part and fulfills the conditions on it"
     )]
     ConditionsNeverMet {
         /// The number of fingers.

@@ -9,8 +9,8 @@ pub enum Objective {
     /// rotational stiffnesses come to be equal, which the others do not.
     Quality,
     /// The worst-point stiffness `Q_pt`: the least ratio of a force to the deflection of the point
-    /// that it acts on, over all points of the part. At most the quality; in the plane at least half
-    /// of it, in space at least a sixth.
+    /// that it acts on, over all points of the part. At most the quality; in the plane at least
+    /// half of it, in space at least a sixth.
     WorstPoint,
     /// The least equivalent stiffness of all rotations, `Q_V`, in the plane `mu_eq`, among the
     /// placements whose least translational stiffness `sigma_min` is at least this

@@ -18,8 +18,8 @@ pub struct Placement<const N: usize> {
     /// The unit normal into the part.
     pub inward_normal: Vector<N>,
     /// The finger's share of the total preload when the forces balance; the shares sum to 1. With
-    /// more fingers than it takes to hold a part there is a choice: the least share is then as large
-    /// as can be.
+    /// more fingers than it takes to hold a part there is a choice: the least share is then as
+    /// large as can be.
     ///
     /// 0 at the boundary of what can be held: the optimum is then a limit that is approached by
     /// placements which hold, and there the fingers with share 0 barely press.
@@ -69,7 +69,8 @@ pub struct Certificate {
     pub ended: Ended,
 }
 
-/// How many combinations of stretches of edges, of faces or of candidates there are, and what the search took.
+/// How many combinations of stretches of edges, of faces or of candidates there are, and what the
+/// search took.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Combinations {
     /// All there are; exact up to 2^53.

@@ -195,12 +195,15 @@ pub fn between_planes(r: &mut Random, planes: usize) -> Mesh {
     (corners.into_iter().map(|(x, _)| x).collect(), faces)
 }
 
+/// Three planes whose normals span less than this volume meet nowhere near.
+const PARALLEL: f64 = 1e-9;
+
 /// Where three planes meet.
 fn meeting([(a, d), (b, e), (c, f)]: [([f64; 3], f64); 3]) -> Option<[f64; 3]> {
     let volume = dot(a, cross(b, c));
     let [bc, ca, ab] = [cross(b, c), cross(c, a), cross(a, b)];
     let at = |i: usize| (d * bc[i] + e * ca[i] + f * ab[i]) / volume;
-    (volume.abs() > 1e-9).then(|| [at(0), at(1), at(2)])
+    (volume.abs() > PARALLEL).then(|| [at(0), at(1), at(2)])
 }
 
 fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {

@@ -41,8 +41,8 @@ pub(crate) struct OptimizeArguments {
     /// as for --fix.
     #[arg(long, value_name = "FILE")]
     pub(crate) candidates: Option<PathBuf>,
-    /// What to maximize: if left out quality, on a solid worst-point, whose bounds are the tightest.
-    /// Three fingers on an outline know quality only.
+    /// What to maximize: if left out quality, on a solid worst-point, whose bounds are the
+    /// tightest. Three fingers on an outline know quality only.
     #[arg(long, value_enum)]
     objective: Option<ObjectiveArgument>,
     /// With --objective rotation: the least `sigma_min` (force / length); 0 if left out.

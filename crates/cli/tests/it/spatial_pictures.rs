@@ -19,7 +19,7 @@ fn drawn(folder: &Folder, question: &str, code: i32) -> String {
 fn the_picture_of_a_solid_shows_fingers_axes_and_numbers() {
     let folder = located("picture");
     let svg = drawn(&folder, CHOSEN, 0);
-    assert_says(&svg, &[">F0<", ">F8<", "Q = ", " F/L", "limited by ", "Q_{pt} at most ", "gap "]);
+    assert_says(&svg, &[">F0<", ">F8<", "Q = ", " F/L", "limited by ", " at most ", "gap "]);
     let json = folder.run(&format!("{CHOSEN} --format json")).out;
     folder.write("report.json", json);
     let svg = drawn(&folder, "analyze report.json --frame 1,2,3,0,0,1", 0);

@@ -129,8 +129,9 @@ impl Fingers {
 /// [`OptimizeError::TouchNormal`], [`OptimizeError::TouchStiffness`],
 /// [`OptimizeError::StiffnessSpread`]; [`OptimizeError::MotionStaysFree`],
 /// [`OptimizeError::AlwaysEscapes`], [`OptimizeError::NeverHeld`] or
-/// [`OptimizeError::ConditionsNeverMet`] when so many frictionless fingers cannot hold the part so; [`OptimizeError::NothingFound`] when the search was stopped
-/// before; [`OptimizeError::OutOfRange`] when the numbers of the best placement overflow.
+/// [`OptimizeError::ConditionsNeverMet`] when so many frictionless fingers cannot hold the part so;
+/// [`OptimizeError::NothingFound`] when the search was stopped before;
+/// [`OptimizeError::OutOfRange`] when the numbers of the best placement overflow.
 pub fn fingers(
     part: &Part,
     fingers: &Fingers,

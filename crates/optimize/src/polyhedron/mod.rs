@@ -15,22 +15,22 @@
 //! - worst point: `sum of (p . t)^2 >= q |v|^2`, since no force at that point moves it by more than
 //!   `1 / q` of itself;
 //! - rotation: with the force-free twist `t - (e, 0)` that has the same rotation,
-//!   `t^T K t - e . K_11 e >= q |v - e|^2`. Any multiple of `f - K_11 e = 0` may be added, where the
-//!   force `f` of `t` is linear in `K`: for any vector `y`
+//! `t^T K t - e . K_11 e >= q |v - e|^2`. Any multiple of `f - K_11 e = 0` may be added, where the
+//! force `f` of `t` is linear in `K`: for any vector `y`
 //!
-//!   `sum of (p . t) (p . (t + 2 (y, 0))) >= q |v|^2 - (K_11 y - q v) . (K_11 + q)^-1 (K_11 y - q v)`
+//! `sum of (p . t) (p . (t + 2 (y, 0))) >= q |v|^2 - (K_11 y - q v) . (K_11 + q)^-1 (K_11 y - q v)`
 //!
-//!   where the least over all `e` was taken. With `y = q K_11^-1 v`, known on a combination of
-//!   facets, the last term vanishes;
-//! - quality: `sum of (p . (u, 0))^2 >= q` for a unit vector `u`, and, since each principal rotation
-//!   moves some point by the radius `r` of a cylinder around the body at least,
-//!   `sum of (p . t)^2 >= q r^2 |omega|^2`. That holds for rotation as well, on any node.
+//! where the least over all `e` was taken. With `y = q K_11^-1 v`, known on a combination of
+//! facets, the last term vanishes; - quality: `sum of (p . (u, 0))^2 >= q` for a unit vector `u`,
+//! and, since each principal rotation moves some point by the radius `r` of a cylinder around the
+//! body at least, `sum of (p . t)^2 >= q r^2 |omega|^2`. That holds for rotation as well, on any
+//! node.
 //!
 //! Each left side is a sum of functions that are convex in the contact points, also where
 //! inequalities are added up with weights, so each finger's share is largest at a corner of its
-//! piece. The largest `q` that the sum of these allows is a bound. Weights come from a game: fingers
-//! spread over the corners of their pieces against the twist that they resist least. What the
-//! weights are does not matter for what is proved; a node hands its own on to its halves.
+//! piece. The largest `q` that the sum of these allows is a bound. Weights come from a game:
+//! fingers spread over the corners of their pieces against the twist that they resist least. What
+//! the weights are does not matter for what is proved; a node hands its own on to its halves.
 //!
 //! Pieces on which all forces help some twist are excluded, and so are combinations whose normals
 //! cannot balance with all fingers pushing.

@@ -63,8 +63,8 @@ impl Patch {
         largest.map_or(self.corners[0], |[a, b, c]| (*a + *b + *c) * (1.0 / 3.0))
     }
 
-    /// The edges of its convex hull, seen from `point`: the unit normal away from it, in the plane of
-    /// the patch, and how far the edge is.
+    /// The edges of its convex hull, seen from `point`: the unit normal away from it, in the plane
+    /// of the patch, and how far the edge is.
     pub(super) fn borders(&self, point: Vector<3>) -> impl Iterator<Item = (Vector<3>, f64)> + '_ {
         let count = if self.is_point() { 0 } else { self.corners.len() };
         let middle = self.corners.iter().fold(Vector::ZERO, |sum, &x| sum + x);

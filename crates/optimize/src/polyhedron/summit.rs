@@ -30,6 +30,9 @@ const LAST_STEP: f64 = 1e-8;
 const LONGER: f64 = 2.0;
 const SHORTER: f64 = 0.35;
 
+/// A coefficient of the balance below this is rounding of a unit wrench.
+const NOISE: f64 = f64::EPSILON;
+
 /// Steps at most.
 const STEPS: usize = 60;
 
@@ -121,7 +124,7 @@ fn balance<const K: usize>(
                 terms.push((*variable, shares[i] * joined(Vector::ZERO, cross(axis, normal))[row]));
             }
         }
-        terms.retain(|(_, factor)| factor.abs() > f64::EPSILON);
+        terms.retain(|(_, factor)| factor.abs() > NOISE);
         program.add_constraint(terms.as_slice(), ComparisonOp::Eq, 0.0);
     }
     let total: Vec<_> = changes.iter().map(|&change| (change, 1.0)).collect();

@@ -12,8 +12,8 @@ pub(crate) struct Matter {
     pub(crate) combinations: f64,
 }
 
-/// The outcome of a search with stiffnesses in `unit`, with `confirm` turning leaders into solutions,
-/// and `nothing` saying why none is there when all is proved.
+/// The outcome of a search with stiffnesses in `unit`, with `confirm` turning leaders into
+/// solutions, and `nothing` saying why none is there when all is proved.
 ///
 /// # Errors
 ///

@@ -99,8 +99,9 @@ impl Contacts<'_> {
 /// A twist that all forces of the contacts help, if one is found: then they cannot balance.
 ///
 /// It is the point nearest to the origin of the hull of their wrenches, by Wolfe's algorithm: again
-/// and again the wrench that opposes it most joins a few that span it, and those that are not needed
-/// leave. P. Wolfe, Finding the nearest point in a polytope, Mathematical Programming 11 (1976).
+/// and again the wrench that opposes it most joins a few that span it, and those that are not
+/// needed leave. P. Wolfe, Finding the nearest point in a polytope, Mathematical Programming 11
+/// (1976).
 pub(crate) fn helped_twist(contacts: &Contacts<'_>, steps: usize) -> Option<Vector<6>> {
     let mut span = Span::new(contacts.least_wrench(Vector::ZERO));
     for _ in 0..steps {

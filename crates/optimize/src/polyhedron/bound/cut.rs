@@ -5,9 +5,9 @@ use clench_screw::{Cholesky, Mat, Vector, Wrench};
 
 use crate::polyhedron::vectors::joined;
 
-/// What all placements whose objective is `q` or more fulfill, on one node:
-/// `sum over the contacts of p^T form p >= plain q + (sigma a q + 2 b q - c) / (sigma + q)`, with the
-/// `sigma_min` of the node's combination.
+/// What all placements whose objective is `q` or more fulfill, on one node: `sum over the contacts
+/// of p^T form p >= plain q + (sigma a q + 2 b q - c) / (sigma + q)`, with the `sigma_min` of the
+/// node's combination.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Cut {
     pub(crate) form: Mat<6, 6>,
