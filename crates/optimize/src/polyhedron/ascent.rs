@@ -1,5 +1,7 @@
 //! Good placements, by local ascent from random starts.
 
+use std::time::Instant;
+
 use fastrand::Rng;
 
 use super::rating::{Rating, Spot, Worth};
@@ -37,12 +39,23 @@ pub(super) type Climber<const K: usize> = (Worth, [Spot; K]);
 pub(super) struct Ascent<'a> {
     rating: Rating<'a>,
     rng: Rng,
+    /// When it has to end.
+    deadline: Option<Instant>,
 }
 
 impl<'a> Ascent<'a> {
     /// Ascents whose chances depend on `seed` alone.
     pub(super) fn new(rating: Rating<'a>, seed: u64) -> Self {
-        Self { rating, rng: Rng::with_seed(seed) }
+        Self { rating, rng: Rng::with_seed(seed), deadline: None }
+    }
+
+    /// The same, which ends soon after a time.
+    pub(super) fn until(self, deadline: Option<Instant>) -> Self {
+        Self { deadline, ..self }
+    }
+
+    fn is_late(&self) -> bool {
+        self.deadline.is_some_and(|deadline| Instant::now() >= deadline)
     }
 
     /// The best placement that an ascent from a start by chance arrives at; `None` if it does not
@@ -50,6 +63,9 @@ impl<'a> Ascent<'a> {
     pub(super) fn by_chance<const K: usize>(&mut self) -> Option<Climber<K>> {
         let mut best: Climber<K> = (Worth::Loose(f64::NEG_INFINITY), [self.spot(); K]);
         for _ in 0..TRIALS {
+            if self.is_late() {
+                break;
+            }
             let spots = std::array::from_fn(|_| self.spot());
             if let Some(worth) = self.rating.above(&spots, best.0) {
                 best = (worth, spots);
@@ -75,6 +91,9 @@ impl<'a> Ascent<'a> {
             let stride = (count * places_each).div_ceil(SWEPT).max(1);
             for i in 0..K {
                 for patch in (0..count).step_by(stride) {
+                    if self.is_late() {
+                        return best;
+                    }
                     for point in places(&self.rating.scene.patches[patch]) {
                         self.consider(&mut best, i, Spot { patch, point });
                     }
@@ -106,7 +125,7 @@ impl<'a> Ascent<'a> {
     fn climbed<const K: usize>(&mut self, start: Climber<K>) -> Climber<K> {
         let mut best = start;
         let mut step = LONGEST_STEP;
-        while step > SHORTEST_STEP {
+        while step > SHORTEST_STEP && !self.is_late() {
             let mut idle = 0;
             while idle < PATIENCE * K {
                 let mut spots = best.1;

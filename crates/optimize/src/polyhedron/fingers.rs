@@ -1,6 +1,7 @@
 //! Fingers on a solid: the question, and its best answers.
 
 use std::ops::ControlFlow;
+use std::time::Instant;
 
 use clench_shape::ExtremePoints;
 
@@ -219,6 +220,7 @@ impl Asked<'_> {
         number: Numbered<'_>,
     ) -> Result<Outcome<3, 3>, OptimizeError> {
         let Self { scene, fingers, effort } = self;
+        let started = Instant::now();
         let rating = Rating { scene, fingers };
         let pieces = Pieces::new(scene);
         let problem = SpatialSearch::new(rating, &pieces);
@@ -226,8 +228,9 @@ impl Asked<'_> {
             return Err(OptimizeError::AlwaysEscapes { fingers: K, motion });
         }
         let mut leaders = Leaders::new(effort.top.get());
-        leaders.merge(problem.first::<K>());
-        let searched = search(&problem, leaders, effort, watch);
+        leaders.merge(problem.first::<K>(effort.time.map(|time| started + time)));
+        let time = effort.time.map(|time| time.saturating_sub(started.elapsed()));
+        let searched = search(&problem, leaders, &Effort { time, ..*effort }, watch);
         let repetition = scene.most_on_patch > 1;
         let combinations = choose(scene.patches.len(), K, repetition);
         let matter = Matter { fingers: K, combinations };

@@ -15,16 +15,16 @@
 //! - worst point: `sum of (p . t)^2 >= q |v|^2`, since no force at that point moves it by more than
 //!   `1 / q` of itself;
 //! - rotation: with the force-free twist `t - (e, 0)` that has the same rotation,
-//! `t^T K t - e . K_11 e >= q |v - e|^2`. Any multiple of `f - K_11 e = 0` may be added, where the
-//! force `f` of `t` is linear in `K`: for any vector `y`
+//!   `t^T K t - e . K_11 e >= q |v - e|^2`. Any multiple of `f - K_11 e = 0` may be added, where
+//!   the force `f` of `t` is linear in `K`: for any vector `y`
 //!
-//! `sum of (p . t) (p . (t + 2 (y, 0))) >= q |v|^2 - (K_11 y - q v) . (K_11 + q)^-1 (K_11 y - q v)`
+//!   `sum of (p . t) (p . (t + 2 (y, 0))) >= q |v|^2 - g . (K_11 + q)^-1 g`, `g = K_11 y - q v`,
 //!
-//! where the least over all `e` was taken. With `y = q K_11^-1 v`, known on a combination of
-//! facets, the last term vanishes; - quality: `sum of (p . (u, 0))^2 >= q` for a unit vector `u`,
-//! and, since each principal rotation moves some point by the radius `r` of a cylinder around the
-//! body at least, `sum of (p . t)^2 >= q r^2 |omega|^2`. That holds for rotation as well, on any
-//! node.
+//!   where the least over all `e` was taken. With `y = q K_11^-1 v`, known on a combination of
+//!   facets, the last term vanishes;
+//! - quality: `sum of (p . (u, 0))^2 >= q` for a unit vector `u`, and, since each principal
+//!   rotation moves some point by the radius `r` of a cylinder around the body at least,
+//!   `sum of (p . t)^2 >= q r^2 |omega|^2`. The latter holds for rotation as well, on any node.
 //!
 //! Each left side is a sum of functions that are convex in the contact points, also where
 //! inequalities are added up with weights, so each finger's share is largest at a corner of its
@@ -38,7 +38,7 @@
 //! The bound of a node is that of fingers in several places at once, with a part of their stiffness
 //! in each. Seven fingers have 14 coordinates, and until all are known to a fraction of the part's
 //! size that is far from what seven springs can do: searches for many free fingers end by time,
-//! with a gap of some ten percent. With one or two free fingers besides given ones they close.
+//! with a gap of some ten percent. With up to three free fingers beside given ones they close.
 //!
 //! # Placements
 //!

@@ -1,5 +1,7 @@
 //! Fingers on a solid: what is searched, bounded and rated.
 
+use std::time::Instant;
+
 use clench_screw::Screw;
 use rayon::prelude::*;
 
@@ -45,14 +47,18 @@ impl<'a> SpatialSearch<'a> {
     }
 
     /// Placements to begin with.
-    pub(super) fn first<const K: usize>(&self) -> Vec<Candidate<K, [Spot; K]>> {
+    pub(super) fn first<const K: usize>(
+        &self,
+        deadline: Option<Instant>,
+    ) -> Vec<Candidate<K, [Spot; K]>> {
+        let ascent = |seed| Ascent::new(self.rating, seed).until(deadline);
         let seeds: Vec<u64> = (0..STARTS).collect();
-        let ascents = seeds.par_iter().map(|&seed| Ascent::new(self.rating, seed).by_chance());
+        let ascents = seeds.par_iter().map(|&seed| ascent(seed).by_chance());
         let mut found: Vec<Climber<K>> =
             ascents.collect::<Vec<_>>().into_iter().flatten().collect();
         found.sort_by(|a, b| b.0.partial_cmp(&a.0).unwrap_or(std::cmp::Ordering::Equal));
         let best: Vec<Climber<K>> = found.iter().take(SWEPT).copied().collect();
-        let swept = best.par_iter().map(|&start| Ascent::new(self.rating, STARTS).swept(start));
+        let swept = best.par_iter().map(|&start| ascent(STARTS).swept(start));
         found.extend(swept.collect::<Vec<_>>());
         found.into_iter().filter_map(candidate).collect()
     }

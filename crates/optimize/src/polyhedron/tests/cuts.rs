@@ -112,7 +112,9 @@ fn no_cylinder_is_smaller() {
     assert_close(least(&solids::cuboid([1.0, 1.0, 1.0])), 2.0, 1e-9, 2.0, "a cube");
     assert_close(least(&solids::cuboid([9.0, 2.0, 1.0])), 5.0, 1e-9, 5.0, "a box");
     let (mut vertices, faces) = solids::regular_prism(24);
-    vertices.iter_mut().for_each(|v| v[2] *= 4.0);
+    for vertex in &mut vertices {
+        vertex[2] *= 4.0;
+    }
     let found = least(&(vertices, faces));
     assert!(found <= 1.0 + 1e-12 && found > 0.999, "{found}");
     // Against axes by chance.
