@@ -266,8 +266,8 @@ pub enum OptimizeError {
     },
     /// No force on the surface has much of a lever on some motion, as on a round body.
     #[error(
-        "without friction the part can always move: {motion}; no force on its surface has a lever \
-         of more than {lever:.2e} of the part's reach on that",
+        "one motion of the part counts as free: {motion}; without friction no contact has a lever of \
+         more than {lever:.2e} of the part's reach on it, and {roundness} or less counts as none",
         motion = crate::polyhedron::described(motion)
     )]
     MotionStaysFree {
@@ -277,6 +277,8 @@ pub enum OptimizeError {
         count: usize,
         /// The largest lever, as a part of the largest deflection.
         lever: f64,
+        /// Up to which part levers count as none.
+        roundness: f64,
     },
     /// All forces that contacts can have help one motion.
     #[error(

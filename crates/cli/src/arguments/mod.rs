@@ -99,7 +99,7 @@ pub(crate) enum Command {
     Analyze(AnalyzeArguments),
     /// Find the placement of fingers with the greatest quality, and prove that it is.
     #[command(after_long_help = FILE)]
-    Optimize(OptimizeArguments),
+    Optimize(Box<OptimizeArguments>),
 }
 
 /// What to analyze, and how.

@@ -80,6 +80,14 @@ pub(crate) struct OptimizeArguments {
     #[arg(long, value_name = "EDGE[:FROM-TO]", value_parser = value::forbidden)]
     #[arg(allow_hyphen_values = true)]
     pub(crate) forbid: Vec<Forbidden>,
+    /// On a solid: at most so many of the placed fingers on one plane.
+    #[arg(long, value_name = "N", value_parser = value::one_or_more, default_value = "3")]
+    pub(crate) most_on_face: NonZeroUsize,
+    /// On a solid: a motion counts as free if no contact has a lever of more than this part of the
+    /// part's reach on it.
+    #[arg(long, value_name = "R", value_parser = value::not_negative)]
+    #[arg(allow_hyphen_values = true)]
+    pub(crate) roundness: Option<f64>,
     /// Report the best placements on this many combinations of edges, of faces or of candidates: 1
     /// or more.
     #[arg(long, value_name = "T", value_parser = value::one_or_more, default_value = "1")]

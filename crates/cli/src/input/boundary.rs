@@ -6,6 +6,8 @@ use clench::contact::Curvature;
 use clench::screw::Vector;
 use clench::shape::{Edge, Ellipsoid, FaceFeature, Polygon, Polyhedron};
 
+use super::solid::Solid;
+
 /// What the boundary of a part consists of.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum PieceKind {
@@ -78,31 +80,32 @@ impl Boundary<2> for Polygon {
     }
 }
 
-impl Boundary<3> for Polyhedron {
+impl Boundary<3> for Solid {
     fn radius(&self) -> f64 {
-        self.enclosing_radius()
+        self.polyhedron.enclosing_radius()
     }
 
     fn pieces(&self) -> Option<(PieceKind, usize)> {
-        Some((PieceKind::Face, self.faces().len()))
+        Some((PieceKind::Face, self.polyhedron.faces().len()))
     }
 
     fn foot(&self, point: Vector<3>) -> Foot<3> {
-        let (place, signed_distance) = (self.place(point), self.signed_distance(point));
+        let place = self.polyhedron.place(point);
+        let signed_distance = self.polyhedron.signed_distance(point);
         Foot { point: place.foot, signed_distance, piece: Some(face(place.face)) }
     }
 
     fn seats(&self, point: Vector<3>, within: f64) -> Vec<Seat<3>> {
-        let place = self.place(point);
+        let place = self.polyhedron.place(point);
         if place.distance > within {
             return Vec::new();
         }
-        let faces = match vertex_or_edge_near(self, place.face, point, within) {
-            Some(near) => faces_at(&self.place(near).on, place.face),
+        let faces = match vertex_or_edge_near(&self.polyhedron, place.face, point, within) {
+            Some(near) => faces_at(&self.polyhedron.place(near).on, place.face),
             None => vec![place.face],
         };
-        let normal = |i: usize| self.faces()[i].inward_normal();
-        faces.into_iter().map(|i| flat_seat(face(i), point, normal(i))).collect()
+        let seat = |i: usize| flat_seat(face(i), point, self.inward_normals[i]);
+        faces.into_iter().map(seat).collect()
     }
 }
 

@@ -69,7 +69,7 @@ pub(crate) fn given_contacts(
     let source = Source {
         document: &document,
         units: &file.units,
-        boundary: &holder.body.shape.polyhedron,
+        boundary: &holder.body.shape,
         stiffness: holder.body.stiffness.as_deref(),
     };
     let contact = |(number, given): (usize, &schema::Contact)| {

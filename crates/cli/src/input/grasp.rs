@@ -55,7 +55,7 @@ pub(crate) fn spatial_grasp(
     body: &Body<SpatialShape>,
 ) -> Result<FileGrasp<3, 3>, Failure> {
     let boundary: &dyn Boundary<3> = match &body.shape {
-        SpatialShape::Polyhedron(solid) => &solid.polyhedron,
+        SpatialShape::Polyhedron(solid) => &**solid,
         SpatialShape::Ellipsoid(ellipsoid) => ellipsoid,
     };
     let stiffness = body.stiffness.as_deref();

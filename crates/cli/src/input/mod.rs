@@ -40,7 +40,9 @@ pub(crate) use given::{GivenContact, Holder, given_contacts};
 pub(crate) use grasp::{FileGrasp, planar_grasp, spatial_grasp};
 pub(crate) use load::{LoadCase, NamedPoint};
 pub(crate) use number::{FileName, Finite, Whole};
-pub(crate) use part::{Body, Part, PlanarShape, Solid, SpatialShape, Workpiece, part, workpiece};
+pub(crate) use part::{
+    Body, Part, PlanarShape, Solid, SpatialShape, TouchablePart, part, touchable_part,
+};
 pub(crate) use place::Place;
 pub(crate) use solid::{mesh_file, touchable};
 pub(crate) use touch::without;

@@ -33,7 +33,7 @@ pub(crate) struct Body<S> {
 
 /// What fingers can be placed on.
 #[derive(Debug)]
-pub(crate) enum Workpiece {
+pub(crate) enum TouchablePart {
     Outline(Box<polygon::Part>),
     /// A solid, and the stiffness of a contact on it, if it has any.
     Solid(Box<Body<Solid>>),
@@ -67,16 +67,19 @@ pub(crate) fn part(document: &Document, part: &schema::Part) -> Result<Part, Fai
 }
 
 /// The part of a file, for the placement of fingers.
-pub(crate) fn workpiece(document: &Document, part: &schema::Part) -> Result<Workpiece, Failure> {
+pub(crate) fn touchable_part(
+    document: &Document,
+    part: &schema::Part,
+) -> Result<TouchablePart, Failure> {
     match (&part.planar, &part.spatial) {
         (Some(planar), None) => {
-            outline_part(document, planar).map(Box::new).map(Workpiece::Outline)
+            outline_part(document, planar).map(Box::new).map(TouchablePart::Outline)
         }
         (None, Some(spatial)) => {
             let Body { shape, stiffness } = solid::body(document, spatial)?;
             match shape {
                 SpatialShape::Polyhedron(solid) => {
-                    Ok(Workpiece::Solid(Box::new(Body { shape: *solid, stiffness })))
+                    Ok(TouchablePart::Solid(Box::new(Body { shape: *solid, stiffness })))
                 }
                 SpatialShape::Ellipsoid(_) => {
                     let place = Place::spatial().field("ellipsoid");

@@ -3,6 +3,7 @@
 use std::path::PathBuf;
 
 use clench::optimize::{OptimizeError, polyhedron};
+use clench::screw::Vector;
 use clench::shape::{Ellipsoid, Extent, Polyhedron, PolyhedronError};
 
 use super::boundary::PieceKind;
@@ -23,8 +24,22 @@ const STL_FLATNESS: f64 = 1e-6;
 #[derive(Debug)]
 pub(crate) struct Solid {
     pub(crate) polyhedron: Polyhedron,
-    /// By the precision of the file's coordinates [length].
+    /// By the precision of the file's coordinates (length).
     pub(crate) flatness: f64,
+    /// The unit normal into the solid of each face: that of its plane, the same for all in one.
+    pub(super) inward_normals: Vec<Vector<3>>,
+}
+
+impl Solid {
+    fn new(polyhedron: Polyhedron, flatness: f64) -> Self {
+        let mut inward_normals = vec![Vector::ZERO; polyhedron.faces().len()];
+        for facet in polyhedron.facets(flatness) {
+            for &face in facet.faces() {
+                inward_normals[face] = facet.inward_normal();
+            }
+        }
+        Self { polyhedron, flatness, inward_normals }
+    }
 }
 
 /// A spatial part.
@@ -58,7 +73,7 @@ pub(super) fn body(
         (Some(vertices), Some(faces), None, None) => {
             let polyhedron = polyhedron(document, vertices, faces)?;
             let stiffness = face_stiffness(document, spatial.stiffness.as_ref(), faces.len())?;
-            let solid = Solid { polyhedron, flatness: 0.0 };
+            let solid = Solid::new(polyhedron, 0.0);
             Ok(Body { shape: SpatialShape::Polyhedron(Box::new(solid)), stiffness })
         }
         (None, None, Some(FileName(name)), None) => {
@@ -71,8 +86,7 @@ pub(super) fn body(
             let stiffness = one_stiffness(document, &here, spatial.stiffness.as_ref(), reason)?;
             let reach = polyhedron.vertices().iter().map(|v| v.max_abs()).fold(0.0, f64::max);
             let single = mesh::is_of_single_precision(&path);
-            let solid =
-                Solid { polyhedron, flatness: if single { STL_FLATNESS * reach } else { 0.0 } };
+            let solid = Solid::new(polyhedron, if single { STL_FLATNESS * reach } else { 0.0 });
             Ok(Body { shape: SpatialShape::Polyhedron(Box::new(solid)), stiffness })
         }
         (None, None, None, Some(semi_axes)) => {
@@ -92,7 +106,7 @@ pub(crate) fn touchable(
     body: &Body<Solid>,
 ) -> Result<polyhedron::Part, Failure> {
     let place = Place::spatial().field("stiffness");
-    let Solid { polyhedron, flatness } = &body.shape;
+    let Solid { polyhedron, flatness, .. } = &body.shape;
     let stiffness = match body.stiffness.as_deref() {
         None => {
             let fault = PartFault::NoStiffness { piece: PieceKind::Face };

@@ -11,7 +11,7 @@ use clench::optimize::{Effort, OptimizeError, Progress};
 use crate::answer::Answer;
 use crate::arguments::{Format, ObjectiveArgument, OptimizeArguments};
 use crate::failure::Failure;
-use crate::input::{self, Document, Workpiece, schema};
+use crate::input::{self, Document, TouchablePart, schema};
 use crate::interrupt::Interrupt;
 use crate::picture::Picture;
 use crate::progress::ProgressLine;
@@ -25,9 +25,9 @@ pub(crate) use found::{Found, Held, On, OutOfRange};
 /// Runs the command.
 pub(crate) fn optimize(arguments: &OptimizeArguments) -> Result<Answer, Failure> {
     let (document, file) = Document::read(&arguments.part)?;
-    match input::workpiece(&document, &file.part)? {
-        Workpiece::Outline(part) => outline::optimize(arguments, &document, file, *part),
-        Workpiece::Solid(body) => {
+    match input::touchable_part(&document, &file.part)? {
+        TouchablePart::Outline(part) => outline::optimize(arguments, &document, file, *part),
+        TouchablePart::Solid(body) => {
             let meshes = input::mesh_file(&document, &file.part).into_iter().collect();
             let answer = solid::optimize(arguments, &document, file, &body)?;
             Ok(Answer { meshes, ..answer })
@@ -60,6 +60,8 @@ fn question<'a>(
         finger_radius: arguments.finger_radius,
         least_distance: None,
         least_share: arguments.least_share,
+        most_on_face: None,
+        roundness: None,
         flatness: None,
         effort: EffortReport {
             top: effort.top,
@@ -110,6 +112,7 @@ fn refused(name: &str, error: OptimizeError) -> Failure {
         OptimizeError::LeastDistance { .. } => "--least-distance, or else twice --finger-radius",
         OptimizeError::LeastShare { .. } => "--least-share",
         OptimizeError::LeastTranslation { .. } => "--least-translation",
+        OptimizeError::Roundness { .. } => "--roundness",
         OptimizeError::Gap { .. } => "--gap",
         _ => return Failure::Search { name: name.to_owned(), source: Box::new(error) },
     };

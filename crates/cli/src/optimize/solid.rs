@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use clench::contact::{Curvature, Geometry};
-use clench::optimize::polyhedron::{self, Fingers, Part, Touch, fingers_among};
+use clench::optimize::polyhedron::{self, Fingers, Part, ROUNDNESS, Touch, fingers_among};
 use clench::optimize::{OptimizeError, Outcome, Placement, Solution};
 use clench::shape::{Extent, Polyhedron};
 
@@ -44,6 +44,12 @@ pub(super) fn optimize(
     let task = Task::new(arguments, document, &file, body)?;
     name_mesh(&mut file.part, document);
     let question = Question {
+        // Candidates may be anywhere.
+        most_on_face: Some(match arguments.candidates {
+            Some(_) => arguments.fingers,
+            None => arguments.most_on_face.get(),
+        }),
+        roundness: Some(arguments.roundness.unwrap_or(ROUNDNESS)),
         flatness: Some(body.shape.flatness),
         ..super::question(arguments, &file, (3, &arguments.effort_on_solid()))
     };
@@ -108,6 +114,8 @@ impl<'a> Task<'a> {
             fixed: self.fixed.iter().map(GivenContact::touch).collect(),
             objective: arguments.objective(3),
             least_share: arguments.least_share,
+            most_on_face: arguments.most_on_face.get(),
+            roundness: arguments.roundness.unwrap_or(ROUNDNESS),
             ..Fingers::new(arguments.fingers)
         };
         let effort = arguments.effort_on_solid();

@@ -27,7 +27,13 @@ pub(crate) struct Question<'a> {
     /// Not of three fingers, and not on a solid.
     pub(crate) least_distance: Option<f64>,
     pub(crate) least_share: f64,
-    /// How far off its plane a vertex of a solid may be [length].
+    /// On how many of the placed fingers one plane of a solid has room for, and levers of which part
+    /// of the reach count as none.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(crate) most_on_face: Option<usize>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(crate) roundness: Option<f64>,
+    /// How far off its plane a vertex of a solid may be (length).
     #[serde(skip_serializing_if = "Option::is_none")]
     pub(crate) flatness: Option<f64>,
     pub(crate) effort: EffortReport,

@@ -129,6 +129,9 @@ impl OptimumText<'_> {
             let least = digits(question.least_share);
             conditions.push(format!("{least} or more of the preload each"));
         }
+        if let Some(most) = question.most_on_face.filter(|&most| most < question.fingers) {
+            conditions.push(format!("at most {most} on one plane"));
+        }
         let planar = question.part.planar.as_ref();
         if let Some(margin) = planar.and_then(|planar| planar.margin).filter(|m| m.0 > 0.0) {
             conditions.push(format!("{} or more from each corner", units.length(margin.0)));
@@ -177,11 +180,11 @@ impl OptimumText<'_> {
             }
             EndWord::Time => {
                 let time = digits(effort.time.unwrap_or(0.0));
-                self.stopped(page, &format!("after {time} s, as asked for"), &bound);
+                self.stopped(page, &format!("after {time} s, the limit"), &bound);
             }
             EndWord::Nodes => {
                 let nodes = wording::counted(usize::try_from(nodes).unwrap_or(usize::MAX), "node");
-                self.stopped(page, &format!("after {nodes}, as asked for"), &bound);
+                self.stopped(page, &format!("after {nodes}, the limit"), &bound);
             }
             EndWord::Interrupted => self.stopped(page, "by an interrupt", &bound),
         }

@@ -63,7 +63,7 @@ fn a_search_that_is_stopped_has_a_bound_that_holds() {
     assert_says(
         &ran.out,
         &[
-            "stopped   after 1 node, as asked for: no placement of four fingers on this outline ",
+            "stopped   after 1 node, the limit: no placement of four fingers on this outline ",
             " has Q above ",
             " F/L, a gap of ",
             "search    20475 combinations of edges; 1 set of them bounded",
@@ -102,7 +102,7 @@ fn a_time_ends_a_search_that_takes_longer() {
     let question = "optimize part.toml --fingers 4 --gap 0 --time 0.25";
     certificate(&folder.json(question), false, "time");
     let text = folder.run(question).out;
-    assert_says(&text, &["stopped   after 0.25 s, as asked for: no placement of four fingers"]);
+    assert_says(&text, &["stopped   after 0.25 s, the limit: no placement of four fingers"]);
 }
 
 #[test]

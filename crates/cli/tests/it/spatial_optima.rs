@@ -267,7 +267,7 @@ fn the_text_of_a_solid_says_what_is_fixed() {
         "part      cube.toml, 8 vertices, 6 faces in 6 planes\n",
         "flatness  0 L, how far off a plane its vertices may be\n",
         "fingers   four beside 6 fixed contacts, frictionless, pointed; no preload given\n",
-        "asked for 0.02 or more of the preload each\n",
+        "asked for 0.02 or more of the preload each; at most 3 on one plane\n",
         "bound     no placement of four fingers on this solid has Q_pt above ",
         " combinations of planes; ",
         "finger  is      on      point [L]",

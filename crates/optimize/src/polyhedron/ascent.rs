@@ -84,13 +84,13 @@ impl<'a> Ascent<'a> {
     /// ascents between arrive at.
     pub(super) fn swept<const K: usize>(&mut self, start: Climber<K>) -> Climber<K> {
         let mut best = start;
-        for _ in 0..SWEEPS {
+        for sweep in 0..SWEEPS {
             let before = best.0;
             let count = self.rating.scene.patches.len();
             let places_each = self.rating.scene.patches.first().map_or(1, |p| places(p).count());
             let stride = (count * places_each).div_ceil(SWEPT).max(1);
             for i in 0..K {
-                for patch in (0..count).step_by(stride) {
+                for patch in (sweep % stride..count).step_by(stride) {
                     if self.is_late() {
                         return best;
                     }

@@ -29,6 +29,11 @@ pub const MOST_FINGERS: usize = 12;
 /// something else is asked for: a regular prism of 32 sides is round, one of 24 is not.
 pub const ROUNDNESS: f64 = 0.1;
 
+/// A contact pushes if its share of the preload is at least this: far above the rounding of shares,
+/// far below what anybody could adjust. Best placements are often limits where some contacts barely
+/// push, and then have shares of just this, unless a larger least share is asked for.
+pub const PUSHING: f64 = 1e-6;
+
 /// Frictionless fingers on a solid, each a spring along its normal.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Fingers {
@@ -39,11 +44,13 @@ pub struct Fingers {
     pub fixed: Vec<Touch>,
     /// What is maximized.
     pub objective: Objective,
-    /// How many of the placed fingers may be on one facet. More than three on one plane press on it
-    /// as three do. Of candidates each is chosen once.
+    /// How many of the placed fingers may be on one facet: what is proved is about placements with no
+    /// more. For the balance of forces more than three on one plane are as good as three, but they
+    /// add stiffness. Of candidates each is chosen once.
     pub most_on_face: usize,
     /// The least share of the total preload that each contact has when the forces balance; below
-    /// one part in the number of contacts. 0 asks only that all of them push.
+    /// one part in the number of contacts. Of less than [`PUSHING`], that
+    /// is asked for.
     pub least_share: f64,
     /// A motion counts as free if no force on the surface has a lever of more than this part of the
     /// part's reach on it, as for a mesh of a ball: from 0 to below 1.

@@ -13,8 +13,12 @@ pub(crate) fn described(motion: &Screw) -> String {
         Screw::Axis { axis, .. } => {
             let (point, direction) = (list(axis.point), list(axis.direction));
             format!(
-                "a turn about the axis through {point} along {direction} with the pitch {:.3e}",
-                axis.pitch
+                "a turn about the axis through {point} along {direction} with the pitch {}",
+                digits(if axis.pitch.abs() <= ZERO * axis.point.max_abs().max(1.0) {
+                    0.0
+                } else {
+                    axis.pitch
+                })
             )
         }
     }
@@ -23,5 +27,15 @@ pub(crate) fn described(motion: &Screw) -> String {
 fn list(vector: Vector<3>) -> String {
     let largest = vector.max_abs();
     let [x, y, z] = vector.to_array().map(|c| if c.abs() <= ZERO * largest { 0.0 } else { c });
-    format!("({x:.4e}, {y:.4e}, {z:.4e})")
+    format!("({}, {}, {})", digits(x), digits(y), digits(z))
+}
+
+/// A number with four digits.
+fn digits(value: f64) -> String {
+    let size = value.abs();
+    if size > 0.0 && !(1e-3..1e5).contains(&size) {
+        return format!("{value:.3e}");
+    }
+    let text = format!("{value:.4}");
+    text.trim_end_matches('0').trim_end_matches('.').to_owned()
 }

@@ -4,15 +4,12 @@ use clench_metrics::{EquivalentStiffness, Principal, Quality, WorstPoint};
 use clench_screw::{Stiffness, Vector, Wrench};
 use clench_shape::ExtremePoints;
 
-use super::Fingers;
 use super::scene::Scene;
 use super::vectors::{first, second};
+use super::{Fingers, PUSHING};
 use crate::Objective;
 use crate::search::below;
 use crate::shares::shares;
-
-/// A finger pushes if its share of the preload is at least this.
-pub(super) const PUSHING: f64 = 1e-6;
 
 /// A finger at a place: the number of its patch, and a point of that.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -49,7 +49,7 @@ pub(super) fn check(scene: &Scene<'_>, roundness: f64) -> Result<(), OptimizeErr
         return Ok(());
     }
     let motion = scene.unscaled_twist(motions[least]).screw();
-    Err(OptimizeError::MotionStaysFree { motion, count, lever: levers[least] })
+    Err(OptimizeError::MotionStaysFree { motion, count, lever: levers[least], roundness })
 }
 
 /// The velocity of the point `x` by a twist `(v, omega)`.

@@ -107,6 +107,8 @@ pub(super) struct Scene<'a> {
     pub(super) patches: Vec<Patch>,
     /// The fixed contacts: unit wrench, and `sqrt(k)`.
     pub(super) fixed: Vec<(Vector<6>, f64)>,
+    /// The length of the longest unit wrench, at least 1.
+    pub(super) longest_wrench: f64,
     /// How many fingers may be on one patch.
     pub(super) most_on_patch: usize,
 }
@@ -154,7 +156,14 @@ impl<'a> Scene<'a> {
                 Patch::of_touch(touch, touch.stiffness / frame.stiffness, |x| frame.scaled(x));
             (patch.unit_wrench(patch.corners[0]), patch.weight)
         });
+        let fixed: Vec<(Vector<6>, f64)> = fixed.collect();
+        let of_patches = patches
+            .iter()
+            .flat_map(|patch: &Patch| patch.corners.iter().map(|&x| patch.unit_wrench(x).norm()));
+        let lengths = of_patches.chain(fixed.iter().map(|(wrench, _)| wrench.norm()));
+        let longest_wrench = lengths.fold(1.0, f64::max);
         let scene = Self {
+            longest_wrench,
             body,
             center: frame.center,
             radius: frame.radius,
@@ -162,7 +171,7 @@ impl<'a> Scene<'a> {
             coarse: coarse(&extremes),
             extremes,
             patches,
-            fixed: fixed.collect(),
+            fixed,
             most_on_patch,
         };
         round::check(&scene, fingers.roundness)?;

@@ -41,6 +41,7 @@ impl<'a> SpatialSearch<'a> {
             weights: &[1.0],
             fixed: &self.rating.scene.fixed,
             least_share: 0.0,
+            longest: self.rating.scene.longest_wrench,
         };
         let twist = helped_twist(&contacts, ESCAPE_STEPS)?;
         Some(self.rating.scene.unscaled_twist(twist).screw())

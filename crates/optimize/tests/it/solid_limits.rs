@@ -108,7 +108,8 @@ fn round_bodies_are_told_with_the_motion_that_stays_free() {
         .collect();
     let part = Part::uniform(Polyhedron::from_triangles(&spindle).unwrap(), 1.0, 0.0).unwrap();
     let fault = refused(&part, &Fingers::new(9));
-    let OptimizeError::MotionStaysFree { motion: Screw::Axis { axis, .. }, count, lever } = fault
+    let OptimizeError::MotionStaysFree { motion: Screw::Axis { axis, .. }, count, lever, .. } =
+        fault
     else {
         panic!("{fault}")
     };

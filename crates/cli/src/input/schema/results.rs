@@ -3,7 +3,7 @@
 use super::super::node::Node;
 
 /// The results of `optimize` at the top of its report: `analyze` reads the rest as a grasp file.
-const RESULT_FIELDS: [&str; 29] = [
+const RESULT_FIELDS: [&str; 31] = [
     "dimension",
     "fingers",
     "objective",
@@ -12,6 +12,8 @@ const RESULT_FIELDS: [&str; 29] = [
     "finger_radius",
     "least_distance",
     "least_share",
+    "most_on_face",
+    "roundness",
     "flatness",
     "effort",
     "quality",

@@ -5,6 +5,7 @@ use clench_screw::spatial::cross;
 
 use super::ROUNDING;
 use super::pieces::Corners;
+use crate::polyhedron::PUSHING;
 
 /// Steps in which a twist that all forces help is looked for.
 const STEPS: usize = 32;
@@ -16,8 +17,8 @@ const NEARER: f64 = 1e-9;
 const BORDER: f64 = 4.0 * f64::EPSILON;
 
 /// A normal that is inside the half-space by more than this part cannot push: what the others,
-/// outside by the rounding of a border, allow it is less than a millionth of the preload.
-const INSIDE: f64 = 1e-8;
+/// outside by the rounding of a border, allow it is less than what counts as pushing.
+const INSIDE: f64 = 0.01 * PUSHING;
 
 /// Whether unit normals can balance with all of them pushing.
 ///
@@ -52,6 +53,8 @@ pub(crate) struct Contacts<'a> {
     pub(crate) fixed: &'a [(Vector<6>, f64)],
     /// The least share of each.
     pub(crate) least_share: f64,
+    /// The length of the longest unit wrench.
+    pub(crate) longest: f64,
 }
 
 impl Contacts<'_> {
@@ -71,8 +74,7 @@ impl Contacts<'_> {
         }
         let shared = self.least_share;
         let power = shared * sum + (1.0 - self.count() * shared) * least;
-        // Unit wrenches about the middle of the part are no longer than about 1.5.
-        power - ROUNDING * 4.0 * twist.norm()
+        power - ROUNDING * 2.0 * self.longest * twist.norm()
     }
 
     /// The wrench of a preload of 1 with the least power on `twist`, of those at corners.

@@ -29,6 +29,8 @@ pub(super) struct Node<'a> {
     pub(super) normals: Option<Normals>,
     /// The sum of all stiffnesses, at most.
     size: f64,
+    /// The square of the longest unit wrench.
+    largest_square: f64,
 }
 
 impl<'a> Node<'a> {
@@ -61,12 +63,18 @@ impl<'a> Node<'a> {
         };
         let fingers: Vec<_> = node.iter().map(|&p| pieces.corners(p)).collect();
         let least_share = if normals.is_some() { rating.fingers.least_share } else { 0.0 };
-        let contacts =
-            Contacts { fingers: &fingers, weights: &weights, fixed: &scene.fixed, least_share };
+        let contacts = Contacts {
+            fingers: &fingers,
+            weights: &weights,
+            fixed: &scene.fixed,
+            least_share,
+            longest: scene.longest_wrench,
+        };
         if helps_all(&contacts) {
             return None;
         }
-        Some(Self { fingers, fixed: &scene.fixed, normals, size })
+        let largest_square = scene.longest_wrench * scene.longest_wrench;
+        Some(Self { fingers, fixed: &scene.fixed, normals, size, largest_square })
     }
 
     /// A lower bound of `sigma_min`.
@@ -74,13 +82,19 @@ impl<'a> Node<'a> {
         self.normals.map_or(0.0, |normals| normals.sigma.0)
     }
 
+    /// No placement has a larger `sigma_min`: where normals are not known, it is no more than the mean
+    /// of the three principal stiffnesses, whose sum is that of all stiffnesses.
+    pub(super) fn largest_translation(&self) -> f64 {
+        let mean = self.size * ((1.0 + ROUNDING) / 3.0);
+        self.normals.map_or(mean, |normals| normals.sigma.1)
+    }
+
     /// What no placement surpasses by a cut.
     pub(super) fn bound(&self, cut: &Cut) -> f64 {
         let placed: f64 = self.fingers.iter().map(|corners| corners.largest(&cut.form)).sum();
         let fixed = self.fixed.iter();
         let fixed: f64 = fixed.map(|&(w, k)| value(&cut.form, Vector::ZERO, w) * k * k).sum();
-        // Unit wrenches about the middle of the part have squares of about 2 at most.
-        let rounding = ROUNDING * cut.form.max_abs() * 12.0 * self.size;
+        let rounding = ROUNDING * cut.form.max_abs() * 6.0 * self.largest_square * self.size;
         cut.limits.largest_objective(placed + fixed + rounding, self.sigma())
     }
 }

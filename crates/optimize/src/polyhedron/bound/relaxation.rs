@@ -58,9 +58,9 @@ impl<'a> Relaxation<'a> {
         let known = hint.and_then(|hint| hint.normals);
         let node = Node::new(self.rating, self.pieces, pieces, known)?;
         let least = above(floor.quality);
-        let by_translation = match (self.rating.fingers.objective, &node.normals) {
-            (Objective::Quality | Objective::WorstPoint, Some(normals)) => normals.sigma.1,
-            _ => f64::INFINITY,
+        let by_translation = match self.rating.fingers.objective {
+            Objective::Quality | Objective::WorstPoint => node.largest_translation(),
+            Objective::Rotation { .. } => f64::INFINITY,
         };
         if by_translation <= least {
             return None;
