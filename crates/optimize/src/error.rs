@@ -266,8 +266,8 @@ pub enum OptimizeError {
     },
     /// No force on the surface has much of a lever on some motion, as on a round body.
     #[error(
-        "one motion of the part counts as free: {motion}; without friction no contact has a lever of \
-         more than {lever:.2e} of the part's reach on it, and {roundness} or less counts as none",
+        "one motion of the part counts as free: {motion}; without friction no contact has a lever \
+         of more than {lever:.2e} of the part's reach on it, and {roundness} or less counts as none",
         motion = crate::polyhedron::described(motion)
     )]
     MotionStaysFree {

@@ -6,8 +6,8 @@ use crate::OptimizeError;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Objective {
     /// The quality `Q = min(sigma_min, mu_eq)` [LBR, eqs. 14 and 16]. In space it jumps where
-    /// rotational stiffnesses come to be equal, which the others do not, and its bound on solids need
-    /// not close: it is limited by translation and by a cylinder around the body.
+    /// rotational stiffnesses come to be equal, which the others do not, and its bound on solids
+    /// need not close: it is limited by translation and by a cylinder around the body.
     Quality,
     /// The worst-point stiffness `Q_pt`: the least ratio of a force to the deflection of the point
     /// that it acts on, over all points of the part. At most the quality; in the plane at least

@@ -27,8 +27,8 @@ pub(crate) struct Question<'a> {
     /// Not of three fingers, and not on a solid.
     pub(crate) least_distance: Option<f64>,
     pub(crate) least_share: f64,
-    /// On how many of the placed fingers one plane of a solid has room for, and levers of which part
-    /// of the reach count as none.
+    /// How many of the placed fingers may be on one plane of a solid, and levers of which part of
+    /// the reach count as none.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub(crate) most_on_face: Option<usize>,
     #[serde(skip_serializing_if = "Option::is_none")]

@@ -38,8 +38,8 @@
 //! The bound of a node is that of fingers in several places at once, with a part of their stiffness
 //! in each. Seven fingers have 14 coordinates, and until all are known to a fraction of the part's
 //! size that is far from what seven springs can do: searches for many free fingers end by time,
-//! with a gap of some ten percent. With up to three free fingers beside given ones they close, but for
-//! the quality, whose bound by a cylinder need not come down to it.
+//! with a gap of some ten percent. With up to three free fingers beside given ones they close, but
+//! for the quality, whose bound by a cylinder need not come down to it.
 //!
 //! # Placements
 //!

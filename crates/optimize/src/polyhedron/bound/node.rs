@@ -82,8 +82,8 @@ impl<'a> Node<'a> {
         self.normals.map_or(0.0, |normals| normals.sigma.0)
     }
 
-    /// No placement has a larger `sigma_min`: where normals are not known, it is no more than the mean
-    /// of the three principal stiffnesses, whose sum is that of all stiffnesses.
+    /// No placement has a larger `sigma_min`: where normals are not known, it is no more than the
+    /// mean of the three principal stiffnesses, whose sum is that of all stiffnesses.
     pub(super) fn largest_translation(&self) -> f64 {
         let mean = self.size * ((1.0 + ROUNDING) / 3.0);
         self.normals.map_or(mean, |normals| normals.sigma.1)
