@@ -267,7 +267,7 @@ pub enum OptimizeError {
     /// No force on the surface has much of a lever on some motion, as on a round body.
     #[error(
         "one motion of the part counts as free: {motion}; without friction no contact has a lever \
-         of more than {lever:.2e} of the part's reach on it, and {roundness} or less counts as none",
+         of more than {lever:.2e} of the part's reach on it, and {roundness} or less is none",
         motion = crate::polyhedron::described(motion)
     )]
     MotionStaysFree {

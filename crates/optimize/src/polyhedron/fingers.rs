@@ -45,8 +45,8 @@ pub struct Fingers {
     /// What is maximized.
     pub objective: Objective,
     /// How many of the placed fingers may be on one facet: what is proved is about placements with
-    /// no more. For the balance of forces more than three on one plane are as good as three, but they
-    /// add stiffness. Of candidates each is chosen once.
+    /// no more. For the balance of forces more than three on one plane are as good as three, but
+    /// they add stiffness. Of candidates each is chosen once.
     pub most_on_face: usize,
     /// The least share of the total preload that each contact has when the forces balance; below
     /// one part in the number of contacts. Of less than [`PUSHING`], that
