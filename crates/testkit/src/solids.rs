@@ -152,6 +152,17 @@ pub fn regular_prism(sides: usize) -> Mesh {
 /// triangles, since their corners are in one plane to rounding only.
 #[must_use]
 pub fn between_planes(r: &mut Random, planes: usize) -> Mesh {
+    loop {
+        let (vertices, faces) = enclosed(r, planes);
+        // Euler's formula for triangles: random planes need not enclose anything.
+        if faces.len() + 4 == 2 * vertices.len() {
+            return (vertices, faces);
+        }
+    }
+}
+
+/// What some random planes have in common, cut into triangles; open where they enclose nothing.
+fn enclosed(r: &mut Random, planes: usize) -> Mesh {
     let normal = |r: &mut Random| loop {
         let v: [f64; 3] = r.array(1.0);
         let size = dot(v, v).sqrt();

@@ -243,18 +243,3 @@ fn one_clamp_is_where_a_grid_finds_it() {
     assert!(best.best.objective <= outcome.certificate.upper_bound);
     assert!(best.best.objective >= 0.97 * outcome.best.objective, "{}", best.best.objective);
 }
-
-/// Ascents alone, many more of them, find nothing better.
-#[test]
-fn a_search_is_no_worse_than_other_searches() {
-    let mut r = Random::new(67);
-    for mesh in [solids::tetrahedron(), solids::wedge(), solids::between_planes(&mut r, 9)] {
-        let part = Part::uniform(solid(&mesh), 1.0, 1e-9).unwrap();
-        let effort = |nodes| Effort { nodes: Some(nodes), ..Effort::default() };
-        let best = |nodes| fingers(&part, &Fingers::new(7), &effort(nodes), unwatched).unwrap();
-        let (short, long) = (best(2000), best(20_000));
-        assert!(long.best.objective >= short.best.objective);
-        assert!(long.certificate.upper_bound <= short.certificate.upper_bound);
-        assert!(long.best.objective <= short.certificate.upper_bound);
-    }
-}

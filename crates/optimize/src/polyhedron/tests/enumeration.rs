@@ -1,13 +1,16 @@
 //! The search among candidates against all combinations of them.
 
+use std::sync::atomic::{AtomicUsize, Ordering};
+
 use clench_testkit::Random;
 
 use super::{OBJECTIVES, part, rating, touch};
-use crate::polyhedron::bound::{Pieces, Relaxation};
+use crate::polyhedron::bound::{Hint, Pieces};
 use crate::polyhedron::rating::{Rating, Spot, Worth};
 use crate::polyhedron::scene::Scene;
+use crate::polyhedron::search::SpatialSearch;
 use crate::polyhedron::{Fingers, Touch, fingers_among};
-use crate::search::{Floor, Piece};
+use crate::search::{Bounded, Candidate, Floor, Leaders, Piece, Problem, Settled, above, search};
 use crate::{Effort, Ended, OptimizeError, unwatched};
 
 /// What all combinations of seven candidates are worth, if they hold.
@@ -32,18 +35,58 @@ fn all(rating: Rating<'_>) -> Vec<([usize; 7], f64)> {
     }
 }
 
-/// A node by chance: pieces that each come from halving the whole.
-fn node(r: &mut Random, pieces: &Pieces<'_>) -> [Piece; 7] {
-    let mut node = std::array::from_fn(|_| {
-        let mut piece = Piece::BOUNDARY;
-        for _ in 0..r.below(4) {
-            let Some(halves) = pieces.halves(piece) else { break };
-            piece = halves[r.below(2)];
+/// A search each bound of which is held against the best combination under its node.
+struct Watched<'a> {
+    inner: SpatialSearch<'a>,
+    pieces: &'a Pieces<'a>,
+    /// Best first.
+    all: &'a [([usize; 7], f64)],
+    /// How many bounds were near what is under them.
+    near: AtomicUsize,
+}
+
+impl Problem<7> for Watched<'_> {
+    type Place = [Spot; 7];
+    type Hint = Hint;
+
+    const MOST_OPEN: usize = 1 << 19;
+    const NODES_PER_PROBE: u64 = u64::MAX;
+
+    fn halves(&self, piece: Piece) -> Option<[Piece; 2]> {
+        self.pieces.halves(piece)
+    }
+
+    fn unit(&self) -> f64 {
+        1.0
+    }
+
+    fn combination(&self, node: &[Piece; 7]) -> Option<[usize; 7]> {
+        self.inner.combination(node)
+    }
+
+    fn bound(
+        &self,
+        node: &[Piece; 7],
+        floor: &Floor,
+        hint: Option<&Hint>,
+    ) -> Option<Bounded<Hint>> {
+        let bounded = self.inner.bound(node, floor, hint);
+        let under = self.all.iter().find(|(set, _)| is_under(self.pieces, node, set, 0, 0));
+        if let Some((set, quality)) = under.filter(|(_, quality)| *quality > above(floor.quality)) {
+            let bound = bounded.as_ref().map_or(0.0, |bounded| bounded.bound);
+            assert!(bound >= quality * (1.0 - 1e-11), "{bound} < {quality} of {set:?}");
+            self.near.fetch_add(usize::from(bound < 2.0 * quality), Ordering::Relaxed);
         }
-        piece
-    });
-    node.sort_unstable();
-    node
+        bounded
+    }
+
+    fn probe(&self, _: &[Piece; 7], _: u64) -> Option<Candidate<7, [Spot; 7]>> {
+        None
+    }
+
+    fn settle(&self, node: &[Piece; 7], floor: &Floor) -> Settled<7, [Spot; 7]> {
+        self.inner.settle(node, floor)
+    }
 }
 
 /// Whether seven candidates can be put on the pieces, one each.
@@ -89,20 +132,11 @@ fn the_search_among_candidates_finds_the_best_of_all_combinations() {
         assert!((best - most).abs() <= 1e-9 * most, "{best} instead of {most}, {objective:?}");
 
         let pieces = Pieces::new(&scene);
-        let relaxation = Relaxation::new(rating, &pieces);
-        for _ in 0..60 {
-            let node = node(&mut r, &pieces);
-            let under = all.iter().find(|(set, _)| is_under(&pieces, &node, set, 0, 0));
-            let floor = Floor { quality: most * r.between(0.0, 1.0), second: 0.0 };
-            let bound = relaxation.bound(&node, &floor, None).map(|bounded| bounded.bound);
-            let Some(&(set, quality)) = under.filter(|(_, quality)| *quality > floor.quality)
-            else {
-                continue;
-            };
-            let bound = bound.unwrap_or_else(|| panic!("{set:?} with {quality} was excluded"));
-            assert!(bound >= quality * (1.0 - 1e-11), "{bound} < {quality} of {set:?}");
-            near += usize::from(bound < 2.0 * quality);
-        }
+        let inner = SpatialSearch::new(rating, &pieces);
+        let watched = Watched { inner, pieces: &pieces, all: &all, near: AtomicUsize::new(0) };
+        let searched = search(&watched, Leaders::new(1), &Effort::default(), unwatched);
+        assert!(searched.nodes > 0);
+        near += watched.near.into_inner();
     }
     assert!(answered > 12, "{answered} of 48 can be held");
     assert!(near > 20, "the bounds are of no use: {near} are near");

@@ -7,6 +7,7 @@
     reason = "a test that cannot go on fails"
 )]
 
+mod ascents;
 mod bounds;
 mod cuts;
 mod enumeration;
