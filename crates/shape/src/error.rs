@@ -2,9 +2,10 @@
 
 use crate::{LARGEST_COORDINATE, SMALLEST_COORDINATE};
 
-/// Why a list of corners is no valid outline.
+/// Why lists of corners are no valid outline.
 ///
-/// Corners are counted from 0 in the order given; edge `e` joins corner `e` to the next one.
+/// Corners are counted from 0 in the order given, through the outline and then the holes; edge `e`
+/// joins corner `e` to the next one of its loop. Holes are counted from 0 too.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum PolygonError {
@@ -12,6 +13,14 @@ pub enum PolygonError {
     #[error("found {count} corners, but an outline needs at least 3")]
     TooFewCorners {
         /// The number of corners given.
+        count: usize,
+    },
+    /// There are too few corners to bound a hole.
+    #[error("found {count} corners of hole {hole}, but a hole needs at least 3")]
+    TooFewCornersOfHole {
+        /// The first such hole.
+        hole: usize,
+        /// The number of its corners.
         count: usize,
     },
     /// A coordinate is infinite or not a number.
@@ -58,7 +67,7 @@ pub enum PolygonError {
     ZeroLengthEdge {
         /// The first corner of the edge, and the number of the edge.
         start: usize,
-        /// Its second corner; 0 when the last corner repeats the first.
+        /// Its second corner; the first of its loop when the last corner repeats that.
         end: usize,
     },
     /// Two corners that are no neighbors are the same point, so that the outline touches itself.
@@ -77,6 +86,14 @@ pub enum PolygonError {
         /// The number of corners given.
         count: usize,
     },
+    /// All corners of a hole lie on one line.
+    #[error("all {count} corners of hole {hole} lie on one line, but a hole must have an area")]
+    ZeroAreaOfHole {
+        /// The first such hole.
+        hole: usize,
+        /// The number of its corners.
+        count: usize,
+    },
     /// An edge runs back along the edge before it.
     #[error("edge {edge} folds back on the edge before it, at corner {edge}")]
     FoldedEdge {
@@ -90,5 +107,19 @@ pub enum PolygonError {
         first: usize,
         /// The first edge, after its neighbor, that it meets.
         second: usize,
+    },
+    /// A hole is not in the part.
+    #[error("hole {hole} is outside the outline, but a hole has to be within it")]
+    HoleOutside {
+        /// The first such hole.
+        hole: usize,
+    },
+    /// A hole is in another one, where there is no material.
+    #[error("hole {hole} is within hole {within}, where there is no material to cut from")]
+    HoleInHole {
+        /// The first such hole.
+        hole: usize,
+        /// A hole around it.
+        within: usize,
     },
 }

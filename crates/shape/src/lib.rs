@@ -75,6 +75,7 @@ mod border;
 mod partition;
 
 mod hull;
+mod loops;
 mod predicates;
 mod solid_hull;
 mod tree;

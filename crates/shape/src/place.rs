@@ -3,6 +3,7 @@
 use clench_screw::{Vector, planar};
 
 use crate::Edge;
+use crate::loops::Loops;
 
 /// A place on an outline is called a corner within this many roundings of its coordinates: two
 /// for the point's own rounding in a file and at its source, two for the corner's.
@@ -24,7 +25,7 @@ pub struct Place {
 }
 
 /// The place nearest to `point`: each edge's foot point is kept within the edge.
-pub(crate) fn nearest_place(edges: &[Edge], point: Vector<2>) -> Place {
+pub(crate) fn nearest_place(edges: &[Edge], loops: &Loops, point: Vector<2>) -> Place {
     let mut nearest = Place { edge: 0, along: 0.0, distance: f64::INFINITY, corner: None };
     for (edge, candidate) in edges.iter().enumerate() {
         let (along, distance) = foot(candidate, point);
@@ -32,7 +33,7 @@ pub(crate) fn nearest_place(edges: &[Edge], point: Vector<2>) -> Place {
             nearest = Place { edge, along, distance, corner: None };
         }
     }
-    at_corner(edges, nearest)
+    at_corner(edges, loops, nearest)
 }
 
 /// How far along the edge its point nearest to `point` is, and how far `point` is from that.
@@ -51,15 +52,14 @@ fn foot(edge: &Edge, point: Vector<2>) -> (f64, f64) {
 }
 
 /// The same place, named by its corner if it is one.
-fn at_corner(edges: &[Edge], place: Place) -> Place {
+fn at_corner(edges: &[Edge], loops: &Loops, place: Place) -> Place {
     let edge = &edges[place.edge];
     let scale = edge.start().max_abs().max(edge.end().max_abs());
     let rounding = CORNER_ROUNDING * scale;
-    let next = (place.edge + 1) % edges.len();
     let corner = if place.along <= rounding {
         place.edge
     } else if edge.length() - place.along <= rounding {
-        next
+        loops.after(place.edge)
     } else {
         return place;
     };

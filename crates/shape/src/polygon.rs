@@ -1,8 +1,12 @@
-//! The outline of a planar part.
+//! The outline of a planar part, and its holes.
+
+use std::ops::Range;
 
 use clench_screw::Vector;
 
 use crate::circle::smallest_center;
+use crate::hull::compare;
+use crate::loops::Loops;
 use crate::place::nearest_place;
 use crate::predicates::turn;
 use crate::triangulation::Triangulation;
@@ -18,11 +22,12 @@ pub enum Winding {
     Clockwise,
 }
 
-/// A part's outline: a closed chain of straight edges that meets itself nowhere.
+/// A part's outline: a closed chain of straight edges that meets itself nowhere, and such chains
+/// within it, the outlines of holes.
 ///
-/// Corners and edges keep the order and the numbers they were given in, from 0: edge `e` joins
-/// corner `e` to corner `e + 1`, the last one closes the outline. Either winding is fine, and
-/// corners within a straight side are too.
+/// Corners and edges keep the order and the numbers they were given in, from 0, those of the holes
+/// after those of the outer loop: edge `e` joins corner `e` to corner `e + 1`, the last one of a
+/// loop closes it. Either winding is fine, and corners within a straight side are too.
 ///
 /// ```
 /// use clench_shape::{Polygon, Winding};
@@ -35,6 +40,7 @@ pub enum Winding {
 #[derive(Clone, Debug, PartialEq)]
 pub struct Polygon {
     corners: Vec<Vector<2>>,
+    loops: Loops,
     winding: Winding,
     edges: Vec<Edge>,
     hull: Vec<usize>,
@@ -44,7 +50,7 @@ pub struct Polygon {
 }
 
 impl Polygon {
-    /// The outline through `corners`, in this order.
+    /// The outline through `corners`, in this order, without holes.
     ///
     /// Whether it is valid is decided exactly, without a tolerance. Cost: O(n log n) for `n`
     /// corners, unless many edges have overlapping boxes.
@@ -53,34 +59,72 @@ impl Polygon {
     ///
     /// The first fault found, in the order of the variants of [`PolygonError`].
     pub fn new(corners: &[[f64; 2]]) -> Result<Self, PolygonError> {
-        let corners: Vec<Vector<2>> = corners.iter().map(|&c| c.into()).collect();
-        let hull = checked_hull(&corners)?;
-        let winding = winding_at(&corners, hull[0]);
-        let edges = (0..corners.len())
-            .map(|e| Edge::new(corners[e], corners[(e + 1) % corners.len()], winding))
-            .collect();
+        Self::with_holes(corners, &[])
+    }
+
+    /// The outline through `corners` with `holes` in it, each a list of corners in order.
+    ///
+    /// Validity as for [`Polygon::new`]; O(n) more per hole.
+    ///
+    /// # Errors
+    ///
+    /// The first fault found, in the order of the variants of [`PolygonError`].
+    ///
+    /// ```
+    /// use clench_shape::Polygon;
+    /// let square = |low: f64, high: f64| [[low, low], [high, low], [high, high], [low, high]];
+    /// let frame = Polygon::with_holes(&square(0.0, 4.0), &[square(1.0, 3.0).to_vec()])?;
+    /// assert_eq!(frame.area(), 12.0);
+    /// // Edge 4 is the lower one of the hole: the material is below it.
+    /// assert_eq!(frame.edges()[4].inward_normal().to_array(), [0.0, -1.0]);
+    /// assert_eq!(frame.signed_distance([2.0, 2.0].into()), 1.0);
+    /// # Ok::<(), clench_shape::PolygonError>(())
+    /// ```
+    pub fn with_holes(corners: &[[f64; 2]], holes: &[Vec<[f64; 2]>]) -> Result<Self, PolygonError> {
+        let lengths = [corners.len()].into_iter().chain(holes.iter().map(Vec::len));
+        let loops = Loops::of_lengths(lengths);
+        let all = corners.iter().chain(holes.iter().flatten());
+        let corners: Vec<Vector<2>> = all.map(|&c| c.into()).collect();
+        let hull = checked_hull(&corners, &loops)?;
+        let edges = edges(&corners, &loops);
+        let winding = winding_of(&corners, &loops.runs()[0]);
         let sites: Vec<Vector<2>> = hull.iter().map(|&i| corners[i]).collect();
         let mesh = Triangulation::new(&sites);
         let center = smallest_center(&sites, &mesh);
         let partition = FarthestPartition::new(&hull, sites, &mesh);
         let circle = Circle { center, radius: partition.farthest(center).distance };
         let extremes = ExtremePoints::of_points(&corners, hull.clone());
-        Ok(Self { corners, winding, edges, hull, partition, circle, extremes })
+        Ok(Self { corners, loops, winding, edges, hull, partition, circle, extremes })
     }
 
-    /// The corners, in the order given.
+    /// The corners, in the order given: those of the outer loop, then those of each hole.
     #[must_use]
     pub fn corners(&self) -> &[Vector<2>] {
         &self.corners
     }
 
-    /// The direction in which the corners were given.
+    /// The runs of corners, and of edges, that make up a loop each: the outer one first, then the
+    /// holes.
+    ///
+    /// ```
+    /// let holes = [vec![[1.0, 1.0], [2.0, 1.0], [1.0, 2.0]]];
+    /// let outer = [[0.0, 0.0], [5.0, 0.0], [5.0, 5.0], [0.0, 5.0]];
+    /// let part = clench_shape::Polygon::with_holes(&outer, &holes)?;
+    /// assert_eq!(part.loops(), [0..4, 4..7]);
+    /// # Ok::<(), clench_shape::PolygonError>(())
+    /// ```
+    #[must_use]
+    pub fn loops(&self) -> &[Range<usize>] {
+        self.loops.runs()
+    }
+
+    /// The direction in which the corners of the outer loop were given.
     #[must_use]
     pub fn winding(&self) -> Winding {
         self.winding
     }
 
-    /// The edges; edge `e` joins corner `e` to corner `e + 1`.
+    /// The edges; edge `e` joins corner `e` to the next one of its loop.
     #[must_use]
     pub fn edges(&self) -> &[Edge] {
         &self.edges
@@ -100,15 +144,18 @@ impl Polygon {
         &self.extremes
     }
 
-    /// Whether the outline turns the same way at all its corners, or straight on; exactly.
+    /// Whether there are no holes, and the outline turns the same way at all its corners, or
+    /// straight on; exactly.
     #[must_use]
     pub fn is_convex(&self) -> bool {
-        let (n, at) = (self.corners.len(), &self.corners);
-        let mut turns = (0..n).map(|i| turn(at[i], at[(i + 1) % n], at[(i + 2) % n]));
-        match self.winding {
+        let at = |i: usize| self.corners[i];
+        let (before, after) = (|i| self.loops.before(i), |i| self.loops.after(i));
+        let mut turns = (0..self.corners.len()).map(|i| turn(at(before(i)), at(i), at(after(i))));
+        let convex = match self.winding {
             Winding::CounterClockwise => turns.all(|turn| turn >= 0.0),
             Winding::Clockwise => turns.all(|turn| turn <= 0.0),
-        }
+        };
+        convex && self.loops().len() == 1
     }
 
     /// The smallest circle around the part: the geometric center `p_0` and the radius `r_0` of
@@ -183,7 +230,7 @@ impl Polygon {
     /// ```
     #[must_use]
     pub fn place(&self, point: Vector<2>) -> Place {
-        nearest_place(&self.edges, point)
+        nearest_place(&self.edges, &self.loops, point)
     }
 
     /// The distance of `point` from the outline (length), negative inside.
@@ -208,14 +255,14 @@ impl Polygon {
         let inward = self.edges[place.edge].inward_normal();
         match place.corner {
             Some(corner) => {
-                let before = (corner + self.edges.len() - 1) % self.edges.len();
+                let before = self.loops.before(corner);
                 inward + self.edges[before].inward_normal()
             }
             None => inward,
         }
     }
 
-    /// The area enclosed by the outline (length squared).
+    /// The area of the part, without its holes (length squared).
     ///
     /// Summed about the geometric center, so that it does not suffer far away from the origin.
     #[must_use]
@@ -229,11 +276,29 @@ impl Polygon {
     }
 }
 
-/// The winding of a simple outline, from its turn at a corner of its hull, which is never straight.
-fn winding_at(corners: &[Vector<2>], corner: usize) -> Winding {
-    let n = corners.len();
-    let (before, after) = (corners[(corner + n - 1) % n], corners[(corner + 1) % n]);
-    if turn(before, corners[corner], after) > 0.0 {
+/// The edges of valid loops: the part is on the inner side of the first loop, and on the outer side
+/// of the others.
+fn edges(corners: &[Vector<2>], loops: &Loops) -> Vec<Edge> {
+    let mut edges = Vec::with_capacity(corners.len());
+    for (number, run) in loops.runs().iter().enumerate() {
+        let winding = match (winding_of(corners, run), number) {
+            (winding, 0) => winding,
+            (Winding::CounterClockwise, _) => Winding::Clockwise,
+            (Winding::Clockwise, _) => Winding::CounterClockwise,
+        };
+        edges.extend(run.clone().map(|e| Edge::new(corners[e], corners[loops.after(e)], winding)));
+    }
+    edges
+}
+
+/// The winding of a simple loop, from its turn at its leftmost corner, the lowest of those: it is a
+/// corner of its hull, which is never straight.
+fn winding_of(corners: &[Vector<2>], run: &Range<usize>) -> Winding {
+    let least = run.clone().min_by(|&i, &j| compare(corners[i], corners[j]));
+    let corner = least.unwrap_or(run.start);
+    let before = if corner == run.start { run.end - 1 } else { corner - 1 };
+    let after = if corner + 1 == run.end { run.start } else { corner + 1 };
+    if turn(corners[before], corners[corner], corners[after]) > 0.0 {
         Winding::CounterClockwise
     } else {
         Winding::Clockwise

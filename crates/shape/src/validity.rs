@@ -1,6 +1,7 @@
 //! Whether a list of corners is the outline of a part.
 
 use std::cmp::Ordering;
+use std::ops::Range;
 
 use clench_screw::Vector;
 use parry2d_f64::bounding_volume::Aabb;
@@ -9,6 +10,7 @@ use parry2d_f64::partitioning::{Bvh, BvhBuildStrategy};
 
 use crate::PolygonError;
 use crate::hull::{compare, hull, sorted};
+use crate::loops::Loops;
 use crate::predicates::{turn, unit_scale};
 
 /// The largest magnitude of a coordinate (length).
@@ -27,22 +29,56 @@ pub const SMALLEST_COORDINATE: f64 = 1e-130;
 ///
 /// The faults are looked for in the order of [`PolygonError`]'s variants; each check may rely on
 /// those before it.
-pub(crate) fn checked_hull(corners: &[Vector<2>]) -> Result<Vec<usize>, PolygonError> {
-    let count = corners.len();
-    if count < 3 {
-        return Err(PolygonError::TooFewCorners { count });
-    }
+pub(crate) fn checked_hull(
+    corners: &[Vector<2>],
+    loops: &Loops,
+) -> Result<Vec<usize>, PolygonError> {
+    check_counts(loops)?;
     check_coordinates(corners)?;
-    check_edge_lengths(corners)?;
+    check_edge_lengths(corners, loops)?;
     let order = sorted(corners);
     check_repetition(corners, &order)?;
-    let hull = hull(corners, &order);
-    if hull.len() < 3 {
-        return Err(PolygonError::ZeroArea { count });
-    }
-    check_folds(corners)?;
-    check_crossings(corners)?;
+    let hull = checked_areas(corners, loops, &order)?;
+    check_folds(corners, loops)?;
+    check_crossings(corners, loops)?;
+    check_nesting(corners, loops)?;
     Ok(hull)
+}
+
+fn check_counts(loops: &Loops) -> Result<(), PolygonError> {
+    match loops.runs().iter().position(|run| run.len() < 3) {
+        None => Ok(()),
+        Some(0) => Err(PolygonError::TooFewCorners { count: loops.runs()[0].len() }),
+        Some(place) => {
+            let count = loops.runs()[place].len();
+            Err(PolygonError::TooFewCornersOfHole { hole: place - 1, count })
+        }
+    }
+}
+
+/// The hull of the outer loop, if each loop encloses an area; `order` sorts all corners.
+fn checked_areas(
+    corners: &[Vector<2>],
+    loops: &Loops,
+    order: &[usize],
+) -> Result<Vec<usize>, PolygonError> {
+    let hull_of = |run: &Range<usize>| {
+        let order: Vec<usize> = order.iter().copied().filter(|i| run.contains(i)).collect();
+        hull(corners, &order)
+    };
+    let [outer, holes @ ..] = loops.runs() else { return Ok(Vec::new()) };
+    let around = hull_of(outer);
+    if around.len() < 3 {
+        return Err(PolygonError::ZeroArea { count: outer.len() });
+    }
+    let all_on_a_line = |run: &Range<usize>| {
+        let mut others = run.clone().skip(2);
+        others.all(|i| turn(corners[run.start], corners[run.start + 1], corners[i]) == 0.0)
+    };
+    match holes.iter().position(all_on_a_line) {
+        None => Ok(around),
+        Some(hole) => Err(PolygonError::ZeroAreaOfHole { hole, count: holes[hole].len() }),
+    }
 }
 
 fn check_coordinates(corners: &[Vector<2>]) -> Result<(), PolygonError> {
@@ -63,9 +99,9 @@ fn check_coordinates(corners: &[Vector<2>]) -> Result<(), PolygonError> {
     Ok(())
 }
 
-fn check_edge_lengths(corners: &[Vector<2>]) -> Result<(), PolygonError> {
+fn check_edge_lengths(corners: &[Vector<2>], loops: &Loops) -> Result<(), PolygonError> {
     for (start, &corner) in corners.iter().enumerate() {
-        let end = (start + 1) % corners.len();
+        let end = loops.after(start);
         if corner == corners[end] {
             return Err(PolygonError::ZeroLengthEdge { start, end });
         }
@@ -83,11 +119,10 @@ fn check_repetition(corners: &[Vector<2>], order: &[usize]) -> Result<(), Polygo
 }
 
 /// An edge folds back when it is on the line of the edge before it, in the opposite direction.
-fn check_folds(corners: &[Vector<2>]) -> Result<(), PolygonError> {
-    let n = corners.len();
-    for edge in 0..n {
+fn check_folds(corners: &[Vector<2>], loops: &Loops) -> Result<(), PolygonError> {
+    for edge in 0..corners.len() {
         let (before, at, after) =
-            (corners[(edge + n - 1) % n], corners[edge], corners[(edge + 1) % n]);
+            (corners[loops.before(edge)], corners[edge], corners[loops.after(edge)]);
         // On one line, the neighbors are on the same side of the corner if the order says so.
         let folded = compare(before, at) != compare(at, after);
         if folded && turn(before, at, after) == 0.0 {
@@ -100,16 +135,17 @@ fn check_folds(corners: &[Vector<2>]) -> Result<(), PolygonError> {
 /// Looks for the first edge that meets another one that is not its neighbor.
 ///
 /// Cost: O(n log n) when few boxes of edges overlap, as on the outlines of parts.
-fn check_crossings(corners: &[Vector<2>]) -> Result<(), PolygonError> {
-    let n = corners.len();
-    let boxes = edge_boxes(corners);
+fn check_crossings(corners: &[Vector<2>], loops: &Loops) -> Result<(), PolygonError> {
+    let edge = |e: usize| [corners[e], corners[loops.after(e)]];
+    let boxes = edge_boxes(corners, edge);
     let tree = Bvh::from_leaves(BvhBuildStrategy::Binned, &boxes);
     for (first, around) in boxes.iter().enumerate() {
         let crossing = tree
             .intersect_aabb(around)
             .map(|leaf| leaf as usize)
-            .filter(|&second| second > first + 1 && (second + 1) % n != first)
-            .filter(|&second| meet(edge(corners, first), edge(corners, second)))
+            .filter(|&second| second > first)
+            .filter(|&second| loops.after(first) != second && loops.after(second) != first)
+            .filter(|&second| meet(edge(first), edge(second)))
             .min();
         if let Some(second) = crossing {
             return Err(PolygonError::CrossingEdges { first, second });
@@ -118,17 +154,44 @@ fn check_crossings(corners: &[Vector<2>]) -> Result<(), PolygonError> {
     Ok(())
 }
 
-fn edge(corners: &[Vector<2>], e: usize) -> [Vector<2>; 2] {
-    [corners[e], corners[(e + 1) % corners.len()]]
+/// Each hole has to be within the outer loop, and within no other hole.
+///
+/// The loops meet nowhere, so one corner tells for all. Cost: O(n) per hole.
+fn check_nesting(corners: &[Vector<2>], loops: &Loops) -> Result<(), PolygonError> {
+    let [outer, holes @ ..] = loops.runs() else { return Ok(()) };
+    let ends = |run: &Range<usize>| run.clone().map(|e| [corners[e], corners[loops.after(e)]]);
+    for (hole, run) in holes.iter().enumerate() {
+        let corner = corners[run.start];
+        if !surround(ends(outer), corner) {
+            return Err(PolygonError::HoleOutside { hole });
+        }
+        let around = holes.iter().position(|other| other != run && surround(ends(other), corner));
+        if let Some(within) = around {
+            return Err(PolygonError::HoleInHole { hole, within });
+        }
+    }
+    Ok(())
+}
+
+/// Whether closed chains of `edges` that `point` is not on enclose it, an odd number of times;
+/// exactly.
+pub(crate) fn surround(edges: impl Iterator<Item = [Vector<2>; 2]>, point: Vector<2>) -> bool {
+    // Edges that the ray from the point to the right crosses.
+    let crossed = edges.filter(|&[start, end]| {
+        let upward = start[1] <= point[1] && end[1] > point[1];
+        let downward = end[1] <= point[1] && start[1] > point[1];
+        (upward && turn(start, end, point) > 0.0) || (downward && turn(start, end, point) < 0.0)
+    });
+    crossed.count() % 2 == 1
 }
 
 /// The exact boxes of the edges, in units of about the part's own size.
-fn edge_boxes(corners: &[Vector<2>]) -> Vec<Aabb> {
+fn edge_boxes(corners: &[Vector<2>], edge: impl Fn(usize) -> [Vector<2>; 2]) -> Vec<Aabb> {
     let scale = unit_scale(corners.iter().fold(0.0_f64, |m, corner| m.max(corner.max_abs())));
     let point = |corner: Vector<2>| ParryVector::from_array((corner * scale).to_array());
     (0..corners.len())
         .map(|e| {
-            let [start, end] = edge(corners, e).map(point);
+            let [start, end] = edge(e).map(point);
             Aabb::new(start.min(end), start.max(end))
         })
         .collect()

@@ -4,6 +4,7 @@ use clench_screw::{Vector, spatial};
 
 use super::PolyhedronError;
 use super::ears::ears;
+use crate::loops::Loops;
 use crate::predicates::turn;
 use crate::validity::checked_hull;
 
@@ -42,7 +43,8 @@ impl Face {
                 return Err(PolyhedronError::NotPlanar { face, vertex, distance, allowed });
             }
             let outline: Vec<Vector<2>> = points.iter().map(|&p| flattened(p, normal)).collect();
-            checked_hull(&outline).map_err(|fault| PolyhedronError::FaultyFace { face, fault })?;
+            checked_hull(&outline, &Loops::of_lengths([outline.len()].into_iter()))
+                .map_err(|fault| PolyhedronError::FaultyFace { face, fault })?;
         }
         let (signed_area, point) = moments(&points, normal);
         let inward_normal = if signed_area > 0.0 { -normal } else { normal };

@@ -13,6 +13,7 @@ mod crossings;
 mod deepest;
 mod ellipsoid;
 mod facets;
+mod holes;
 mod laws;
 mod limits;
 mod polyhedron;
