@@ -11,6 +11,8 @@ pub enum Input {
     Extent,
     /// A corner of the part's outline.
     Outline,
+    /// A corner of the part's hole with this index.
+    Hole(usize),
     /// The contact point of a finger.
     FingerPoint,
     /// The inward normal of a finger.
@@ -70,6 +72,7 @@ impl fmt::Display for Input {
         match self {
             Self::Extent => f.write_str("extent of the picture"),
             Self::Outline => f.write_str("outline"),
+            Self::Hole(hole) => write!(f, "hole {hole}"),
             Self::FingerPoint => f.write_str("finger point"),
             Self::FingerNormal => f.write_str("finger normal"),
             Self::FingerRadius => f.write_str("finger radius"),

@@ -115,6 +115,16 @@ impl Figure {
         self.path(&(path + "Z"), paint);
     }
 
+    /// Polygons as one shape: what is inside an odd number of them.
+    pub(crate) fn area<'a>(&mut self, loops: impl Iterator<Item = &'a [[f64; 2]]>, paint: &Paint) {
+        let path: String =
+            loops.map(|corners| self.lines(corners, line_width(paint)) + "Z").collect();
+        // Whichever way round the loops are.
+        let _ = write!(self.body, "<path fill-rule=\"evenodd\" d=\"{path}\"");
+        paint.write(&mut self.body);
+        self.body.push_str("/>\n");
+    }
+
     /// A line through points.
     pub(crate) fn polyline(&mut self, points: &[[f64; 2]], stroke: Stroke) {
         let path = self.lines(points, stroke.width);

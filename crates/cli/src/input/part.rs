@@ -103,7 +103,7 @@ fn outline_part(document: &Document, planar: &schema::Planar) -> Result<polygon:
         (Some(_), None) => Err(here(PartFault::NoStiffness { piece: PieceKind::Edge })),
         (Some(corners), Some(stiffness)) => {
             check_no_center(document, planar)?;
-            let outline = outline(document, corners)?;
+            let outline = outline(document, corners, &planar.holes)?;
             let part = with_stiffness(document, outline, stiffness)?;
             allowed(document, part, planar)
         }
@@ -114,7 +114,7 @@ fn planar_body(document: &Document, planar: &schema::Planar) -> Result<Body<Plan
     match (&planar.outline, &planar.ellipse) {
         (Some(corners), None) => {
             check_no_center(document, planar)?;
-            let outline = outline(document, corners)?;
+            let outline = outline(document, corners, &planar.holes)?;
             // Where fingers may not touch depends on no stiffness.
             let given = planar.stiffness.as_ref();
             let any = PerPiece::All(Finite(1.0));
@@ -153,6 +153,7 @@ fn check_no_margin(document: &Document, planar: &schema::Planar) -> Result<(), F
         document.error(&Place::planar().field(name), PartFault::OutlineOnly { found })
     };
     match planar {
+        schema::Planar { holes, .. } if !holes.is_empty() => Err(only("holes", "`holes`")),
         schema::Planar { margin: Some(_), .. } => Err(only("margin", "a `margin`")),
         schema::Planar { forbidden, .. } if !forbidden.is_empty() => {
             Err(only("forbidden", "`forbidden` edges"))
@@ -161,12 +162,19 @@ fn check_no_margin(document: &Document, planar: &schema::Planar) -> Result<(), F
     }
 }
 
-fn outline(document: &Document, corners: &[Point<2>]) -> Result<Polygon, Failure> {
-    let corners: Vec<[f64; 2]> = corners.iter().map(|corner| corner.0).collect();
-    Polygon::new(&corners).map_err(|e| {
-        let place = corner_at_fault(&e);
+fn outline(
+    document: &Document,
+    outline: &[Point<2>],
+    holes: &[Vec<Point<2>>],
+) -> Result<Polygon, Failure> {
+    let array = |corners: &[Point<2>]| corners.iter().map(|corner| corner.0).collect();
+    let corners: Vec<[f64; 2]> = array(outline);
+    let cut: Vec<Vec<[f64; 2]>> = holes.iter().map(|hole| array(hole)).collect();
+    Polygon::with_holes(&corners, &cut).map_err(|e| {
+        let place = place_of(&e, outline.len(), holes);
         let fault = match e {
-            PolygonError::TooFewCorners { count } => PartFault::TooFewCorners { count },
+            PolygonError::TooFewCorners { count }
+            | PolygonError::TooFewCornersOfHole { count, .. } => PartFault::TooFewCorners { count },
             _ => PartFault::Outline(e),
         };
         document.error(&place, fault)
@@ -190,9 +198,23 @@ fn with_stiffness(
     })
 }
 
-/// The corner of the file that an outline's fault is about; the outline when it is about all.
-fn corner_at_fault(fault: &PolygonError) -> Place {
-    let outline = Place::planar().field("outline");
+/// The corner or the hole of the file that an outline's fault is about; the outline when it is
+/// about all.
+fn place_of(fault: &PolygonError, outer: usize, holes: &[Vec<Point<2>>]) -> Place {
+    let outline = || Place::planar().field("outline");
+    let corner_at = |corner: usize| {
+        if corner < outer {
+            return outline().item(corner);
+        }
+        let mut rest = corner - outer;
+        for (i, hole) in holes.iter().enumerate() {
+            if rest < hole.len() {
+                return hole_at(i).item(rest);
+            }
+            rest -= hole.len();
+        }
+        outline()
+    };
     match *fault {
         PolygonError::NotFinite { corner, .. }
         | PolygonError::TooLarge { corner, .. }
@@ -200,9 +222,18 @@ fn corner_at_fault(fault: &PolygonError) -> Place {
         | PolygonError::ZeroLengthEdge { end: corner, .. }
         | PolygonError::RepeatedCorner { second: corner, .. }
         | PolygonError::FoldedEdge { edge: corner }
-        | PolygonError::CrossingEdges { second: corner, .. } => outline.item(corner),
-        _ => outline,
+        | PolygonError::CrossingEdges { second: corner, .. } => corner_at(corner),
+        PolygonError::TooFewCornersOfHole { hole, .. }
+        | PolygonError::ZeroAreaOfHole { hole, .. }
+        | PolygonError::HoleOutside { hole }
+        | PolygonError::HoleInHole { hole, .. } => hole_at(hole),
+        _ => outline(),
     }
+}
+
+/// The place of hole number `i`.
+fn hole_at(i: usize) -> Place {
+    Place::planar().field("holes").item(i)
 }
 
 /// The ellipse or ellipsoid with `semi_axes` in the field `name` of the part at `place`.

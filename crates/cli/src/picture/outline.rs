@@ -1,5 +1,7 @@
 //! Pictures of planar grasps, from what the reports say.
 
+use std::ops::Range;
+
 use clench::optimize::polygon::{Part, Stretch};
 use clench::screw::Vector;
 use clench::shape::{Ellipsoid, Farthest, Polygon};
@@ -25,8 +27,13 @@ const STRIP: f64 = 0.03;
 pub(crate) fn of_outline(outline: &Polygon) -> GraspPicture {
     let count = outline.corners().len();
     let numbered = if count <= NUMBERED_CORNERS { count } else { 0 };
+    let corners = |run: &Range<usize>| {
+        outline.corners()[run.clone()].iter().map(|corner| corner.to_array()).collect()
+    };
+    let mut loops = outline.loops().iter().map(corners);
     GraspPicture {
-        outline: outline.corners().iter().map(|corner| corner.to_array()).collect(),
+        outline: loops.next().unwrap_or_default(),
+        holes: loops.collect(),
         corner_labels: (0..numbered).map(|corner| corner.to_string()).collect(),
         ..GraspPicture::default()
     }

@@ -5,6 +5,7 @@ mod conditions;
 mod contacts;
 mod documents;
 mod fingers;
+mod holes;
 mod hostile;
 mod load_cases;
 mod measures;

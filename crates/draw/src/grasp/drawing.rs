@@ -73,7 +73,7 @@ impl Drawing<'_> {
     fn part(&mut self) {
         let paint = Paint::fill(Color::PART);
         let picture = self.picture;
-        self.figure.polygon(&picture.outline, &paint);
+        self.fill_part(&paint);
         for region in &picture.regions {
             let edge = Stroke::solid(region.color.with_opacity(0.5), 0.8);
             let paint = Paint::both(region.color.with_opacity(0.11), edge);
@@ -99,10 +99,12 @@ impl Drawing<'_> {
     /// How far along its normal a finger's line first leaves the part; 0 if it never enters.
     fn exit(&self, finger: &Finger) -> f64 {
         let [nx, ny] = finger.inward_normal;
-        let outline = &self.picture.outline;
         let mut first = f64::INFINITY;
-        for (i, a) in outline.iter().enumerate() {
-            let b = outline[(i + 1) % outline.len()];
+        let edges = self
+            .picture
+            .loops()
+            .flat_map(|corners| corners.iter().zip(corners.iter().cycle().skip(1)));
+        for (a, b) in edges {
             let (ex, ey) = (b[0] - a[0], b[1] - a[1]);
             let (px, py) = (a[0] - finger.point[0], a[1] - finger.point[1]);
             let slope = nx * ey - ny * ex;
@@ -149,10 +151,21 @@ impl Drawing<'_> {
 
     fn outline(&mut self) {
         let paint = Paint::stroke(Stroke::solid(Color::INK, 1.8));
+        self.fill_part(&paint);
+        for corners in self.picture.loops() {
+            let page = self.on_page(corners);
+            self.labels.avoid_ring(&page, Weight::Hard);
+        }
+    }
+
+    /// The part with its holes.
+    fn fill_part(&mut self, paint: &Paint) {
         let picture = self.picture;
-        self.figure.polygon(&picture.outline, &paint);
-        let page = self.on_page(&picture.outline);
-        self.labels.avoid_ring(&page, Weight::Hard);
+        if picture.holes.is_empty() {
+            self.figure.polygon(&picture.outline, paint);
+        } else {
+            self.figure.area(picture.loops(), paint);
+        }
     }
 
     fn finger(&mut self, finger: &Finger) {

@@ -38,10 +38,13 @@ impl Drawing<'_> {
     }
 
     pub(crate) fn corner_labels(&mut self) {
-        let outline = &self.picture.outline;
-        for (corner, label) in (0..outline.len()).zip(&self.picture.corner_labels) {
-            let out = outward(outline, corner);
-            self.label(outline[corner], label, Color::INK, [out[0], -out[1]], 5.0);
+        let picture = self.picture;
+        let holes = picture.loops().enumerate().map(|(i, corners)| (corners, i > 0));
+        let corners = holes.flat_map(|(ring, hole)| (0..ring.len()).map(move |i| (ring, i, hole)));
+        for ((ring, corner, hole), label) in corners.zip(&picture.corner_labels) {
+            let [x, y] = outward(ring, corner);
+            let out = if hole { [-x, y] } else { [x, -y] };
+            self.label(ring[corner], label, Color::INK, out, 5.0);
         }
     }
 

@@ -68,7 +68,9 @@ pub struct GraspPicture {
     pub title: Option<String>,
     /// The part's corners in order, three or more.
     pub outline: Vec<[f64; 2]>,
-    /// Names of the outline's corners, from the first on; may be fewer.
+    /// The corners of each of its holes in order, three or more.
+    pub holes: Vec<Vec<[f64; 2]>>,
+    /// Names of the corners, from the outline's first on, then those of the holes; may be fewer.
     pub corner_labels: Vec<String>,
     /// The fingers.
     pub fingers: Vec<Finger>,
@@ -117,8 +119,16 @@ impl GraspPicture {
         bounds
     }
 
+    /// The outline, then the holes.
+    pub(crate) fn loops(&self) -> impl Iterator<Item = &[[f64; 2]]> {
+        [self.outline.as_slice()].into_iter().chain(self.holes.iter().map(Vec::as_slice))
+    }
+
     pub(crate) fn check(&self) -> Result<(), DrawError> {
         points(&self.outline, 3, Input::Outline)?;
+        for (index, hole) in self.holes.iter().enumerate() {
+            points(hole, 3, Input::Hole(index))?;
+        }
         for (index, region) in self.regions.iter().enumerate() {
             points(&region.corners, 3, Input::Region(index))?;
         }
@@ -145,6 +155,11 @@ impl GraspPicture {
 
     /// Refuses what lies absurdly far from the box that the page was fitted to.
     pub(crate) fn check_on_page(&self, map: &WorldMap) -> Result<(), DrawError> {
+        for (number, hole) in self.holes.iter().enumerate() {
+            for (index, &corner) in hole.iter().enumerate() {
+                map.check(corner, Input::Hole(number), index)?;
+            }
+        }
         for (number, region) in self.regions.iter().enumerate() {
             for (index, &corner) in region.corners.iter().enumerate() {
                 map.check(corner, Input::Region(number), index)?;

@@ -52,6 +52,7 @@ pub(crate) fn grasp(unit: f64) -> GraspPicture {
     GraspPicture {
         title: Some("Four fingers".into()),
         outline: OUTLINE.map(scaled).to_vec(),
+        holes: Vec::new(),
         corner_labels: ["A", "B", "C", "D"].map(String::from).to_vec(),
         fingers: fingers
             .map(|(i, (point, inward_normal))| Finger {

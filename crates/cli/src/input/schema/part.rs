@@ -22,6 +22,9 @@ pub(crate) struct Planar {
     /// The corners, either way round.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub(crate) outline: Option<Vec<Point<2>>>,
+    /// The corners of each hole of the outline, either way round.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub(crate) holes: Vec<Vec<Point<2>>>,
     /// The semi-axes along x and y [length].
     #[serde(skip_serializing_if = "Option::is_none")]
     pub(crate) ellipse: Option<Point<2>>,
