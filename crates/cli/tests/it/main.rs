@@ -4,6 +4,7 @@ mod answers;
 mod conditions;
 mod contacts;
 mod documents;
+mod examples;
 mod fingers;
 mod holes;
 mod hostile;
