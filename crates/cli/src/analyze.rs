@@ -1,5 +1,7 @@
 //! `clench analyze`: what a given grasp is worth.
 
+use std::path::PathBuf;
+
 use clench::contact::Order;
 use clench::screw::{Stiffness, Vector};
 use clench::shape::Extent;
@@ -12,6 +14,7 @@ use crate::held::{Classes, NotHeld, Slack, held};
 use crate::input::{self, Document, FileGrasp, LoadFault, NamedPoint, Part, Piece, Place, schema};
 use crate::metrics::Metrics;
 use crate::picture::{self, Picture};
+use crate::report::html::{self, Inputs};
 use crate::report::{self, AnalysisReport, AnalysisText};
 use crate::response::Response;
 use crate::view::View;
@@ -73,16 +76,15 @@ pub(crate) fn analyze(arguments: &AnalyzeArguments) -> Result<Answer, Failure> {
             let view = View::planar(frame)?;
             let analysis = question.analysis(&found, body.shape.extent(), view)?;
             let picture = Picture::Outline(picture::of_analysis(&analysis, &body.shape));
-            question.answer(AnalysisReport::planar(&analysis), picture)
+            question.answer(AnalysisReport::planar(&analysis), picture, Vec::new())
         }
         Part::Spatial(body) => {
             let found = input::spatial_grasp(&document, &file, &body)?;
             let view = View::spatial(frame)?;
             let analysis = question.analysis(&found, body.shape.extent(), view)?;
             let picture = Picture::Solid(picture::of_analysis_in_space(&analysis, &body.shape));
-            let answer = question.answer(AnalysisReport::spatial(&analysis), picture)?;
             let meshes = input::mesh_file(&document, &file.part).into_iter().collect();
-            Ok(Answer { meshes, ..answer })
+            question.answer(AnalysisReport::spatial(&analysis), picture, meshes)
         }
     }
 }
@@ -151,13 +153,23 @@ impl<'a> Question<'a> {
         found.load_cases.iter().enumerate().map(response).collect()
     }
 
-    fn answer(&self, report: AnalysisReport<'_>, picture: Picture) -> Result<Answer, Failure> {
-        let text = match self.arguments.output.format {
-            Format::Text => {
-                AnalysisText { name: self.document.name(), report: &report }.to_string()
-            }
+    fn answer(
+        &self,
+        report: AnalysisReport<'_>,
+        picture: Picture,
+        meshes: Vec<PathBuf>,
+    ) -> Result<Answer, Failure> {
+        let output = &self.arguments.output;
+        let words = AnalysisText { name: self.document.name(), report: &report };
+        let text = match output.format {
+            Format::Text => words.to_string(),
             Format::Json => report::json(&report)?,
         };
-        Ok(Answer { report: text, picture, meshes: Vec::new(), reason: report.reason })
+        let mut page = None;
+        if output.report.is_some() {
+            let inputs = Inputs { texts: &[self.document.source()], others: &meshes };
+            page = Some(html::of_analysis(&words, &picture.figures()?, inputs));
+        }
+        Ok(Answer { report: text, page, picture, meshes, reason: report.reason })
     }
 }

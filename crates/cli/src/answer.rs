@@ -9,6 +9,8 @@ use crate::picture::Picture;
 pub(crate) struct Answer {
     /// The report, for standard output.
     pub(crate) report: String,
+    /// The report for a browser, if it was asked for and there is something to show.
+    pub(crate) page: Option<String>,
     /// The grasp, or the part alone.
     pub(crate) picture: Picture,
     /// The files that were read besides those of the command line.

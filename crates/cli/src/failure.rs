@@ -24,7 +24,7 @@ pub(crate) enum Failure {
     #[error("{name}: byte {offset} is not UTF-8; expected a TOML or JSON file in UTF-8")]
     NotText { name: String, offset: usize },
     /// A picture that would overwrite the input.
-    #[error("{name}: is the input file; expected another name for the picture")]
+    #[error("{name}: is the input file; expected another name for what is written")]
     SameFile { name: String },
     /// A picture that cannot be written; what was there before still is.
     #[error("{name}: cannot be written: {source}")]

@@ -61,8 +61,8 @@ fn main() -> ExitCode {
     }
 }
 
-/// Draws the picture, writes the report, then the picture: a file that cannot be written must not
-/// cost the answer.
+/// Draws the picture, writes the report, then the files: one that cannot be written must not cost
+/// the answer.
 fn finish(
     answer: Result<Answer, Failure>,
     inputs: &[&Path],
@@ -71,16 +71,16 @@ fn finish(
     let answer = answer?;
     let picture = match &output.svg {
         None => None,
-        Some(path) => {
-            let meshes = answer.meshes.iter().map(PathBuf::as_path);
-            inputs.iter().copied().chain(meshes).try_for_each(|i| output::check_apart(path, i))?;
-            Some((path, answer.picture.figure()?.to_svg()))
-        }
+        Some(path) => Some((path, answer.picture.figure()?.to_svg())),
     };
-    output::write_report(&answer.report)?;
-    if let Some((path, picture)) = picture {
-        output::write_file(path, &picture)?;
+    let page = output.report.as_ref().zip(answer.page.clone());
+    let files: Vec<_> = picture.into_iter().chain(page).collect();
+    for (path, _) in &files {
+        let meshes = answer.meshes.iter().map(PathBuf::as_path);
+        inputs.iter().copied().chain(meshes).try_for_each(|i| output::check_apart(path, i))?;
     }
+    output::write_report(&answer.report)?;
+    files.iter().try_for_each(|(path, content)| output::write_file(path, content))?;
     Ok(answer)
 }
 

@@ -5,6 +5,7 @@ mod value;
 
 use std::path::PathBuf;
 
+use clap::error::ErrorKind;
 use clap::{Args, CommandFactory, Parser, Subcommand, ValueEnum};
 
 pub(crate) use optimize::{ObjectiveArgument, OptimizeArguments};
@@ -71,6 +72,7 @@ Exit codes: 0 an answer; 1 bad input, nothing written; 2 wrong usage; 3 no answe
 
 Examples:
   clench optimize bracket.toml --fingers 4 --svg bracket.svg
+  clench optimize bracket.toml --fingers 4 --preload 200 --top 3 --report bracket.html
   clench optimize bracket.toml --fingers 3 --preload 200 --format json > grasp.json
   clench optimize bracket.toml --fingers 6 --finger-radius 4 --margin 5 --forbid 2 --time 60
   clench optimize bracket.toml --fingers 4 --objective rotation --least-translation 3e4
@@ -129,6 +131,21 @@ pub(crate) struct OutputArguments {
     /// Draw the grasp into this file, always in the frame of the input file.
     #[arg(long, value_name = "FILE")]
     pub(crate) svg: Option<PathBuf>,
+    /// Write a page with pictures, tables and the inputs into this HTML file: it needs nothing
+    /// besides, and opens offline. The pictures are in the frame of the input file.
+    #[arg(long, value_name = "FILE")]
+    pub(crate) report: Option<PathBuf>,
+}
+
+impl OutputArguments {
+    /// Checks that no file is written over another.
+    fn checked(&self) -> Result<(), (ErrorKind, String)> {
+        if self.svg.is_some() && self.svg == self.report {
+            let message = "--svg and --report have the same file, expected one each".to_owned();
+            return Err((ErrorKind::ArgumentConflict, message));
+        }
+        Ok(())
+    }
 }
 
 /// The terms of the stiffness.
@@ -149,9 +166,11 @@ impl Arguments {
     /// The command line; wrong usage ends the program, with code 2.
     pub(crate) fn parse_checked() -> Self {
         let arguments = Self::parse();
-        if let Command::Optimize(question) = &arguments.command
-            && let Err((kind, message)) = question.checked()
-        {
+        let checked = match &arguments.command {
+            Command::Analyze(question) => question.output.checked(),
+            Command::Optimize(question) => question.checked().and(question.output.checked()),
+        };
+        if let Err((kind, message)) = checked {
             Self::command().error(kind, message).exit();
         }
         arguments

@@ -14,6 +14,7 @@ use super::reader::Reader;
 use super::schema::{self, File, VERSION};
 use super::{json_tree, toml_tree};
 use crate::failure::Failure;
+use crate::report::html::Source;
 
 /// The name that stands for standard input.
 const STANDARD_INPUT: &str = "-";
@@ -51,6 +52,11 @@ impl Document {
     /// How reports call the file.
     pub(crate) fn name(&self) -> &str {
         &self.name
+    }
+
+    /// The file as it was read.
+    pub(crate) fn source(&self) -> Source {
+        Source { name: self.name.clone(), text: self.text.clone() }
     }
 
     /// The folder from which the file names others: its own, or the current one for standard

@@ -14,6 +14,7 @@ use super::part::{self, Body, Part, Solid, SpatialShape};
 use super::place::Place;
 use super::schema::{self, File};
 use crate::failure::Failure;
+use crate::report::html;
 
 /// The part that contacts are on, and the file that it is from.
 #[derive(Clone, Copy, Debug)]
@@ -50,11 +51,11 @@ impl GivenContact {
     }
 }
 
-/// The contacts in the file at `path`, on the part of another file.
+/// The contacts in the file at `path`, on the part of another file; and the file as it was read.
 pub(crate) fn given_contacts(
     path: &Path,
     holder: Holder<'_>,
-) -> Result<Vec<GivenContact>, Failure> {
+) -> Result<(Vec<GivenContact>, html::Source), Failure> {
     let (document, file): (_, File<Option<schema::Part>>) = Document::read(path)?;
     check_units(&document, &file.units, holder)?;
     if let Some(part) = &file.part {
@@ -77,7 +78,8 @@ pub(crate) fn given_contacts(
         let face = piece.map(|Piece { number, .. }| number);
         Ok(GivenContact { contact, face, finger: given.finger.clone() })
     };
-    file.contacts.iter().enumerate().map(contact).collect()
+    let contacts = file.contacts.iter().enumerate().map(contact).collect::<Result<_, Failure>>()?;
+    Ok((contacts, document.source()))
 }
 
 fn check_units(

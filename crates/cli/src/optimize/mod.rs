@@ -5,6 +5,7 @@ mod outline;
 mod solid;
 
 use std::ops::ControlFlow;
+use std::path::PathBuf;
 
 use clench::optimize::{Effort, OptimizeError, Progress};
 
@@ -15,23 +16,28 @@ use crate::input::{self, Document, TouchablePart, schema};
 use crate::interrupt::Interrupt;
 use crate::picture::Picture;
 use crate::progress::ProgressLine;
+use crate::report::html::{self, Inputs, Source};
 use crate::report::{
-    self, EffortReport, ObjectiveWord, OptimumReport, OptimumText, Question, Subject,
-    UnansweredReport, UnitNames,
+    self, EffortReport, ObjectiveWord, OptimumText, Question, UnansweredReport, UnitNames,
 };
 
 pub(crate) use found::{Found, Held, On, OutOfRange};
+
+/// What a report shows besides its words, and what it was made from.
+struct Shown {
+    picture: Picture,
+    /// The files of the command line.
+    texts: Vec<Source>,
+    /// The files that these name.
+    meshes: Vec<PathBuf>,
+}
 
 /// Runs the command.
 pub(crate) fn optimize(arguments: &OptimizeArguments) -> Result<Answer, Failure> {
     let (document, file) = Document::read(&arguments.part)?;
     match input::touchable_part(&document, &file.part)? {
         TouchablePart::Outline(part) => outline::optimize(arguments, &document, file, *part),
-        TouchablePart::Solid(body) => {
-            let meshes = input::mesh_file(&document, &file.part).into_iter().collect();
-            let answer = solid::optimize(arguments, &document, file, &body)?;
-            Ok(Answer { meshes, ..answer })
-        }
+        TouchablePart::Solid(body) => solid::optimize(arguments, &document, file, &body),
     }
 }
 
@@ -126,15 +132,19 @@ fn out_of_range(name: &str) -> impl Fn(OutOfRange) -> Failure {
 /// The answer with the best placement.
 fn answered(
     arguments: &OptimizeArguments,
-    (name, subject): (&str, Subject<'_>),
-    report: &OptimumReport<'_>,
-    picture: Picture,
+    words: &OptimumText<'_>,
+    Shown { picture, texts, meshes }: Shown,
 ) -> Result<Answer, Failure> {
     let text = match arguments.output.format {
-        Format::Text => OptimumText { name, subject, report }.to_string(),
-        Format::Json => report::json(report)?,
+        Format::Text => words.to_string(),
+        Format::Json => report::json(words.report)?,
     };
-    Ok(Answer { report: text, picture, meshes: Vec::new(), reason: None })
+    let mut page = None;
+    if arguments.output.report.is_some() {
+        let inputs = Inputs { texts: &texts, others: &meshes };
+        page = Some(html::of_optimum(words, &picture.figures()?, inputs));
+    }
+    Ok(Answer { report: text, page, picture, meshes, reason: None })
 }
 
 /// The answer that there is none.
@@ -142,12 +152,12 @@ fn unanswered(
     arguments: &OptimizeArguments,
     question: &Question<'_>,
     error: &OptimizeError,
-    picture: Picture,
+    Shown { picture, meshes, .. }: Shown,
 ) -> Result<Answer, Failure> {
     let reason = error.to_string();
     let report = match arguments.output.format {
         Format::Text => String::new(),
         Format::Json => report::json(&UnansweredReport { question, reason: &reason })?,
     };
-    Ok(Answer { report, picture, meshes: Vec::new(), reason: Some(reason) })
+    Ok(Answer { report, page: None, picture, meshes, reason: Some(reason) })
 }

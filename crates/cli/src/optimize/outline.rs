@@ -6,13 +6,13 @@ use clench::optimize::{Effort, OptimizeError, Outcome, Placement, Solution};
 use clench::shape::Extent;
 
 use super::found::round;
-use super::{Found, Held, On, OutOfRange};
+use super::{Found, Held, On, OutOfRange, Shown};
 use crate::answer::Answer;
 use crate::arguments::OptimizeArguments;
 use crate::failure::Failure;
 use crate::input::{self, Document, Finite, schema};
 use crate::picture::{self, Picture};
-use crate::report::{OptimumReport, PlacementReport, Question, Subject};
+use crate::report::{OptimumReport, OptimumText, PlacementReport, Question, Subject};
 
 /// Runs the command on an outline.
 pub(super) fn optimize(
@@ -33,7 +33,8 @@ pub(super) fn optimize(
         Ok(outcome) => outcome,
         Err(error) if super::is_unanswered(&error) => {
             let picture = Picture::Outline(picture::of_outline(part.outline()));
-            return super::unanswered(arguments, &question, &error, picture);
+            let shown = Shown { picture, texts: Vec::new(), meshes: Vec::new() };
+            return super::unanswered(arguments, &question, &error, shown);
         }
         Err(error) => return Err(super::refused(document.name(), error)),
     };
@@ -46,7 +47,10 @@ pub(super) fn optimize(
     let placements = placements.map_err(super::out_of_range(document.name()))?;
     let report = OptimumReport::new(&question, &outcome, placements);
     let picture = Picture::Outline(picture::of_optimum(&report, &part));
-    super::answered(arguments, (document.name(), Subject::Outline(&part)), &report, picture)
+    let shown = Shown { picture, texts: vec![document.source()], meshes: Vec::new() };
+    let subject = Subject::Outline(&part);
+    let words = OptimumText { name: document.name(), subject, report: &report };
+    super::answered(arguments, &words, shown)
 }
 
 /// The part without what the command line forbids.

@@ -8,14 +8,15 @@ use clench::optimize::{OptimizeError, Outcome, Placement, Solution};
 use clench::shape::{Extent, Polyhedron};
 
 use super::found::round;
-use super::{Found, Held, On, OutOfRange};
+use super::{Found, Held, On, OutOfRange, Shown};
 use crate::answer::Answer;
 use crate::arguments::OptimizeArguments;
 use crate::failure::Failure;
 use crate::input::schema::{self, File};
 use crate::input::{self, Body, Document, GivenContact, Holder, Solid};
 use crate::picture::{self, Picture};
-use crate::report::{OptimumReport, PlacementReport, Question, SolidSubject, Subject};
+use crate::report::html::Source;
+use crate::report::{OptimumReport, OptimumText, PlacementReport, Question, SolidSubject, Subject};
 
 /// Where fingers may go.
 enum Places {
@@ -31,6 +32,8 @@ struct Task<'a> {
     solid: &'a Solid,
     fixed: Vec<GivenContact>,
     places: Places,
+    /// The files of what is given.
+    given: Vec<Source>,
 }
 
 /// Runs the command on a solid.
@@ -42,6 +45,7 @@ pub(super) fn optimize(
 ) -> Result<Answer, Failure> {
     arguments.check_for_solid().map_err(|message| Failure::Usage { message })?;
     let task = Task::new(arguments, document, &file, body)?;
+    let meshes = input::mesh_file(document, &file.part).into_iter().collect();
     name_mesh(&mut file.part, document);
     let question = Question {
         // Candidates may be anywhere.
@@ -57,8 +61,9 @@ pub(super) fn optimize(
         Ok(outcome) => outcome,
         Err(error) if super::is_unanswered(&error) => {
             let fixed: Vec<Touch> = task.fixed.iter().map(GivenContact::touch).collect();
-            let picture = picture::of_solid(&body.shape, &fixed);
-            return super::unanswered(arguments, &question, &error, Picture::Solid(picture));
+            let picture = Picture::Solid(picture::of_solid(&body.shape, &fixed));
+            let shown = Shown { picture, texts: Vec::new(), meshes };
+            return super::unanswered(arguments, &question, &error, shown);
         }
         Err(error) => return Err(super::refused(document.name(), error)),
     };
@@ -80,7 +85,9 @@ pub(super) fn optimize(
         chosen: matches!(task.places, Places::Candidates(_)),
         fixed: task.fixed.len(),
     });
-    super::answered(arguments, (document.name(), subject), &report, picture)
+    let texts = std::iter::once(document.source()).chain(task.given).collect();
+    let words = OptimumText { name: document.name(), subject, report: &report };
+    super::answered(arguments, &words, Shown { picture, texts, meshes })
 }
 
 /// Names the mesh as it is found from the current folder, where a report is likely to be read.
@@ -99,13 +106,18 @@ impl<'a> Task<'a> {
         body: &'a Body<Solid>,
     ) -> Result<Self, Failure> {
         let holder = Holder { name: document.name(), units: &file.units, body };
-        let given = |path: &Path| input::given_contacts(path, holder);
-        let fixed = arguments.fix.as_deref().map_or(Ok(Vec::new()), given)?;
+        let mut sources = Vec::new();
+        let mut given = |path: &Path| -> Result<_, Failure> {
+            let (contacts, source) = input::given_contacts(path, holder)?;
+            sources.push(source);
+            Ok(contacts)
+        };
+        let fixed = arguments.fix.as_deref().map_or(Ok(Vec::new()), &mut given)?;
         let places = match arguments.candidates.as_deref() {
             None => Places::Faces(Box::new(input::touchable(document, &file.part, body)?)),
             Some(path) => Places::Candidates(given(path)?),
         };
-        Ok(Self { arguments, solid: &body.shape, fixed, places })
+        Ok(Self { arguments, solid: &body.shape, fixed, places, given: sources })
     }
 
     fn search(&self, question: &Question<'_>) -> Result<Outcome<3, 3>, OptimizeError> {

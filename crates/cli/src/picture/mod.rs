@@ -16,6 +16,16 @@ pub(crate) enum Picture {
 }
 
 impl Picture {
+    /// The pictures of a page.
+    pub(crate) fn figures(&self) -> Result<Figures, DrawError> {
+        // The page has the numbers in tables.
+        let grasp = match self {
+            Self::Outline(p) => GraspPicture { caption: Vec::new(), ..p.clone() }.figure(),
+            Self::Solid(p) => SolidPicture { caption: Vec::new(), ..p.clone() }.figure(),
+        };
+        Ok(Figures { grasp: grasp?.to_svg() })
+    }
+
     /// Draws it.
     pub(crate) fn figure(&self) -> Result<Figure, DrawError> {
         match self {
@@ -23,6 +33,13 @@ impl Picture {
             Self::Solid(picture) => picture.figure(),
         }
     }
+}
+
+/// The pictures of a page, as SVG.
+#[derive(Debug)]
+pub(crate) struct Figures {
+    /// The part with its fingers.
+    pub(crate) grasp: String,
 }
 
 /// Fingers have letters, so that their numbers are not taken for those of corners.

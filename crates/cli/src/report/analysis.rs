@@ -195,6 +195,12 @@ impl<'a> AnalysisReport<'a> {
 }
 
 impl FrameReport {
+    /// Whether it is the frame of the file.
+    pub(super) fn is_of_file(&self) -> bool {
+        let rotation = self.rotation_vector.iter().flatten().chain(&self.angle);
+        self.origin.iter().chain(rotation).all(|number| number.abs() <= 0.0)
+    }
+
     fn new<const N: usize, const M: usize>(analysis: &Analysis<'_, N, M>) -> Self {
         let (origin, rotation) = (analysis.view.origin().to_vec(), analysis.view.rotation());
         match rotation {

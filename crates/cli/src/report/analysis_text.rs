@@ -63,14 +63,7 @@ impl AnalysisText<'_> {
         let contacts = counted(report.contacts.len(), "contact");
         page.head("grasp", format_args!("{}, {contacts}", self.name));
         page.head("units", self.units());
-        page.head("frame", self.frame());
-        page.head(
-            "order",
-            match report.order {
-                OrderWord::Second => "second: with what preloads, curvatures and loads add",
-                OrderWord::First => "first: without what preloads, curvatures and loads add",
-            },
-        );
+        self.facts(page);
         match (&report.metrics, &report.reason) {
             (Some(MetricsReport { quality, .. }), None) => {
                 let q = self.units().stiffness(quality.quality);
@@ -86,12 +79,22 @@ impl AnalysisText<'_> {
         }
     }
 
+    /// What the numbers are about.
+    pub(super) fn facts(&self, page: &mut Page) {
+        page.head("frame", self.frame());
+        page.head(
+            "order",
+            match self.report.order {
+                OrderWord::Second => "second: with what preloads, curvatures and loads add",
+                OrderWord::First => "first: without what preloads, curvatures and loads add",
+            },
+        );
+    }
+
     fn frame(&self) -> String {
         let frame = &self.report.frame;
-        let turned = |numbers: &[f64]| numbers.iter().any(|v| v.abs() > 0.0);
-        let rotation = frame.rotation_vector.as_deref().unwrap_or_default();
         let angle = frame.angle.unwrap_or(0.0);
-        if !turned(&frame.origin) && !turned(&[angle]) && !turned(rotation) {
+        if frame.is_of_file() {
             return "that of the file".to_owned();
         }
         let (origin, length) = (spot(&frame.origin, 0.0), &self.report.units.length);
@@ -102,7 +105,7 @@ impl AnalysisText<'_> {
         format!("origin at {origin} {length} of the file's, {turn} rad")
     }
 
-    fn contacts(&self, page: &mut Page) {
+    pub(super) fn contacts(&self, page: &mut Page) {
         let units = self.report.units;
         let edges = self.report.contacts.iter().any(|contact| contact.edge.is_some());
         let faces = self.report.contacts.iter().any(|contact| contact.face.is_some());
@@ -142,7 +145,7 @@ impl AnalysisText<'_> {
     }
 
     /// The areas of contact, where the laws say how large they are.
-    fn areas(&self, page: &mut Page) {
+    pub(super) fn areas(&self, page: &mut Page) {
         let units = self.report.units;
         let mut rows = Vec::new();
         for (i, contact) in self.report.contacts.iter().enumerate() {
@@ -171,7 +174,7 @@ impl AnalysisText<'_> {
         page.table(&rows);
     }
 
-    fn loads(&self, page: &mut Page) {
+    pub(super) fn loads(&self, page: &mut Page) {
         let units = self.report.units;
         if self.report.loads.is_empty() {
             return;
@@ -190,7 +193,7 @@ impl AnalysisText<'_> {
         page.table(&rows);
     }
 
-    fn holding(&self, page: &mut Page) {
+    pub(super) fn holding(&self, page: &mut Page) {
         let report = self.report;
         let stability = match report.stability {
             StabilityWord::FirstOrder => "stable to first order, whatever the preload",

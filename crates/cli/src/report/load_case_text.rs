@@ -11,13 +11,18 @@ impl AnalysisText<'_> {
     pub(super) fn load_cases(&self, page: &mut Page) {
         for (number, case) in self.report.load_cases.iter().enumerate() {
             page.line("");
-            let (title, load) = (case.title(number), self.load(case));
-            page.line(format_args!("{title}: on top of the state at rest, {load}"));
-            self.displacements(page, case);
-            self.turn(page, case);
-            self.contact_forces(page, case);
-            self.limits(page, case);
+            self.load_case(page, number, case);
         }
+    }
+
+    /// What one load case does.
+    pub(super) fn load_case(&self, page: &mut Page, number: usize, case: &LoadCaseReport) {
+        let (title, load) = (case.title(number), self.load(case));
+        page.line(format_args!("{title}: on top of the state at rest, {load}"));
+        self.displacements(page, case);
+        self.turn(page, case);
+        self.contact_forces(page, case);
+        self.limits(page, case);
     }
 
     /// What the file says that acts.

@@ -17,6 +17,8 @@ mod optimum;
 mod optimum_text;
 mod subject;
 
+pub(crate) mod html;
+
 mod number;
 mod page;
 mod words;

@@ -35,7 +35,7 @@ impl fmt::Display for OptimumText<'_> {
 }
 
 impl OptimumText<'_> {
-    fn units(&self) -> UnitNames<'_> {
+    pub(super) fn units(&self) -> UnitNames<'_> {
         UnitNames(self.report.question.units)
     }
 
@@ -64,6 +64,20 @@ impl OptimumText<'_> {
         let (report, units) = (self.report, self.units());
         page.head("part", format_args!("{}, {}", self.name, self.subject.described()));
         page.head("units", units);
+        self.facts(page);
+        let best = &report.best;
+        let q = units.stiffness(best.quality);
+        self.conditions(page);
+        page.head("quality", format_args!("Q = {q}, limited by {}", best.limited_by));
+        self.objective(page);
+        self.certificate(page);
+        self.ties(page);
+        self.limits(page);
+    }
+
+    /// What was asked about.
+    pub(super) fn facts(&self, page: &mut Page) {
+        let (report, units) = (self.report, self.units());
         page.head("frame", "that of the file");
         if let Some(flatness) = report.question.flatness {
             let meaning = "how far off a plane its vertices may be";
@@ -78,18 +92,10 @@ impl OptimumText<'_> {
             None => "no preload given".to_owned(),
         };
         page.head("fingers", format_args!("{}, frictionless, {tips}; {preload}", self.count()));
-        let best = &report.best;
-        let q = units.stiffness(best.quality);
-        self.conditions(page);
-        page.head("quality", format_args!("Q = {q}, limited by {}", best.limited_by));
-        self.objective(page);
-        self.certificate(page);
-        self.ties(page);
-        self.limits(page);
     }
 
     /// The optimum is often a limit that no real finger reaches.
-    fn limits(&self, page: &mut Page) {
+    pub(super) fn limits(&self, page: &mut Page) {
         let mut limits = Vec::new();
         for (finger, contact) in self.report.best.contacts.iter().enumerate() {
             let limit = || self.subject.limit_at(&contact.point).filter(|_| !contact.fixed);
@@ -116,7 +122,7 @@ impl OptimumText<'_> {
     }
 
     /// What was asked of the placement besides that it holds the part.
-    fn conditions(&self, page: &mut Page) {
+    pub(super) fn conditions(&self, page: &mut Page) {
         let (question, units) = (self.report.question, self.units());
         let mut conditions = Vec::new();
         if let Some(least) = question.least_translation.filter(|least| *least > 0.0) {
@@ -160,7 +166,7 @@ impl OptimumText<'_> {
     }
 
     /// How the search ended, and what is proved then.
-    fn certificate(&self, page: &mut Page) {
+    pub(super) fn certificate(&self, page: &mut Page) {
         let (certificate, question) = (self.report.certificate, self.report.question);
         let (effort, nodes) = (question.effort, self.report.combinations.nodes);
         let fingers = if question.fingers == 1 { "finger" } else { "fingers" };
@@ -218,7 +224,7 @@ impl OptimumText<'_> {
     }
 
     /// What was maximized among placements of the same quality.
-    fn ties(&self, page: &mut Page) {
+    pub(super) fn ties(&self, page: &mut Page) {
         let report = self.report;
         let quality = report.question.objective == ObjectiveWord::Quality;
         let planar = report.best.in_plane.is_some();
@@ -230,7 +236,7 @@ impl OptimumText<'_> {
         }
     }
 
-    fn fingers(&self, page: &mut Page) {
+    pub(super) fn fingers(&self, page: &mut Page) {
         let question = self.report.question;
         let (fixed, [place, _]) = (self.subject.fixed() > 0, self.subject.places());
         let mut head = vec!["finger".to_owned()];
@@ -273,7 +279,7 @@ impl OptimumText<'_> {
         page.table(&rows);
     }
 
-    fn metrics(&self, page: &mut Page) {
+    pub(super) fn metrics(&self, page: &mut Page) {
         let (best, units) = (&self.report.best, self.units());
         page.row("sigma_min", units.stiffness(best.sigma_min), "least translational stiffness");
         let moved = if best.in_plane.is_some() { "reach" } else { "deflection" };
@@ -320,7 +326,7 @@ impl OptimumText<'_> {
         page.row("worst point", self.spot(&best.worst_point), at);
     }
 
-    fn top(&self, page: &mut Page) {
+    pub(super) fn top(&self, page: &mut Page) {
         let (report, unit) = (self.report, self.units().per_length());
         let objective = report.question.objective;
         let other = objective != ObjectiveWord::Quality;

@@ -2,6 +2,9 @@
 
 use std::fmt::{self, Display};
 
+/// The width of the label of a head.
+const HEAD: usize = 10;
+
 /// The width of the first column: the words of a row.
 const LABEL: usize = 22;
 
@@ -15,15 +18,23 @@ const GAP: &str = "  ";
 #[derive(Debug, Default)]
 pub(crate) struct Page(Vec<Line>);
 
+/// A part of a page, as a text or a page in a browser shows it.
 #[derive(Debug)]
-enum Line {
+pub(super) enum Line {
     Text(String),
+    /// A label and what it stands for.
+    Head {
+        label: String,
+        text: String,
+    },
     /// A number with its name, and what it means.
     Row {
         label: String,
         value: String,
         meaning: String,
     },
+    /// Rows of cells; the first is the heading.
+    Table(Vec<Vec<String>>),
 }
 
 impl Page {
@@ -34,7 +45,7 @@ impl Page {
 
     /// A label and what it stands for.
     pub(crate) fn head(&mut self, label: &str, text: impl Display) {
-        self.line(format_args!("{label:<10}{text}"));
+        self.0.push(Line::Head { label: label.to_owned(), text: text.to_string() });
     }
 
     /// A number with its name, and what it means.
@@ -46,16 +57,12 @@ impl Page {
 
     /// Rows of cells; the first is the heading.
     pub(crate) fn table(&mut self, rows: &[Vec<String>]) {
-        let columns = rows.iter().map(Vec::len).max().unwrap_or(0);
-        let width = |column: usize| {
-            let cells = rows.iter().filter_map(|row| row.get(column));
-            cells.map(|cell| cell.chars().count()).max().unwrap_or(0)
-        };
-        let widths: Vec<usize> = (0..columns).map(width).collect();
-        for row in rows {
-            let cells = row.iter().zip(&widths).map(|(cell, width)| format!("{cell:<width$}"));
-            self.line(cells.collect::<Vec<_>>().join(GAP));
-        }
+        self.0.push(Line::Table(rows.to_vec()));
+    }
+
+    /// What is on the page, downwards.
+    pub(super) fn lines(&self) -> &[Line] {
+        &self.0
     }
 }
 
@@ -73,6 +80,19 @@ impl Line {
     const fn is_row(&self) -> bool {
         matches!(self, Self::Row { .. })
     }
+
+    /// Writes the line, or the lines of a table; the value of a row is so wide.
+    fn write(&self, width: usize, out: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let text = match self {
+            Self::Text(text) => text.clone(),
+            Self::Head { label, text } => format!("{label:<HEAD$}{text}"),
+            Self::Row { label, value, meaning } => {
+                format!("{label:<LABEL$}{value:<width$}{meaning}")
+            }
+            Self::Table(rows) => return write_table(rows, out),
+        };
+        writeln!(out, "{}", text.trim_end())
+    }
 }
 
 impl Display for Page {
@@ -81,15 +101,23 @@ impl Display for Page {
         for block in self.0.chunk_by(|one, next| one.is_row() && next.is_row()) {
             let width = block.iter().map(Line::value_width).fold(VALUE, usize::max);
             for line in block {
-                let text = match line {
-                    Line::Text(text) => text.clone(),
-                    Line::Row { label, value, meaning } => {
-                        format!("{label:<LABEL$}{value:<width$}{meaning}")
-                    }
-                };
-                writeln!(out, "{}", text.trim_end())?;
+                line.write(width, out)?;
             }
         }
         Ok(())
     }
+}
+
+fn write_table(rows: &[Vec<String>], out: &mut fmt::Formatter<'_>) -> fmt::Result {
+    let columns = rows.iter().map(Vec::len).max().unwrap_or(0);
+    let width = |column: usize| {
+        let cells = rows.iter().filter_map(|row| row.get(column));
+        cells.map(|cell| cell.chars().count()).max().unwrap_or(0)
+    };
+    let widths: Vec<usize> = (0..columns).map(width).collect();
+    for row in rows {
+        let cells = row.iter().zip(&widths).map(|(cell, width)| format!("{cell:<width$}"));
+        writeln!(out, "{}", cells.collect::<Vec<_>>().join(GAP).trim_end())?;
+    }
+    Ok(())
 }

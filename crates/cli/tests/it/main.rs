@@ -12,6 +12,7 @@ mod load_cases;
 mod measures;
 mod meshes;
 mod outputs;
+mod pages;
 mod parts;
 mod reference_numbers;
 mod references;

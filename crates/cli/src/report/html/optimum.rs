@@ -1,0 +1,78 @@
+//! The page on the best placements.
+
+use maud::{PreEscaped, html};
+
+use super::inputs::Inputs;
+use super::sheet::{Headline, Section, Sheet, Tone};
+use crate::picture::Figures;
+use crate::report::optimum_text::OptimumText;
+use crate::report::page::{Line, Page};
+use crate::report::words::{EndWord, ObjectiveWord};
+use crate::wording::rough_digits;
+
+/// The page on the placements of `text`.
+pub(crate) fn of_optimum(text: &OptimumText<'_>, figures: &Figures, inputs: Inputs<'_>) -> String {
+    let set = |write: &dyn Fn(&mut Page)| {
+        let mut page = Page::default();
+        write(&mut page);
+        html!((page))
+    };
+    let certificate = |page: &mut Page| {
+        text.certificate(page);
+        text.conditions(page);
+        text.ties(page);
+    };
+    let top = |page: &mut Page| {
+        if !text.report.top.is_empty() {
+            text.top(page);
+        }
+    };
+    let sections = [
+        Section::filled("Placement", html!(figure { (PreEscaped(&figures.grasp)) })),
+        Section::filled("Certificate", set(&certificate)),
+        Section::filled("Fingers", set(&|page| text.fingers(page))),
+        Section::filled("Stiffness", set(&|page| text.metrics(page))),
+        Section::filled("Ranking", set(&top)),
+    ];
+    let mut facts = Page::default();
+    text.facts(&mut facts);
+    Sheet {
+        title: text.name,
+        units: text.units().to_string(),
+        headline: Some(headline(text)),
+        warnings: warnings(text),
+        facts,
+        sections: sections.into_iter().flatten().collect(),
+        inputs,
+    }
+    .document()
+}
+
+/// What was maximized, and what is proved of it.
+fn headline(text: &OptimumText<'_>) -> Headline {
+    let (report, units) = (text.report, text.units());
+    let (objective, certificate) = (report.question.objective, report.certificate);
+    let value = units.stiffness(report.best.value(objective));
+    let quality = match objective {
+        ObjectiveWord::Quality => format!(", limited by {}", report.best.limited_by),
+        _ => format!("; Q = {}", units.stiffness(report.best.quality)),
+    };
+    let gap = rough_digits(certificate.gap);
+    let badge = match certificate.ended {
+        EndWord::Proved => (Tone::Good, "proved best".to_owned()),
+        EndWord::Gap => (Tone::Good, format!("proved best but for a gap of {gap}")),
+        _ => (Tone::Fair, format!("stopped at a gap of {gap}")),
+    };
+    Headline { text: format!("{objective} = {value}{quality}"), badges: vec![badge] }
+}
+
+/// The warning of the text, whose limits on a solid are lines of their own.
+fn warnings(text: &OptimumText<'_>) -> Vec<String> {
+    let mut page = Page::default();
+    text.limits(&mut page);
+    let texts = page.lines().iter().filter_map(|line| match line {
+        Line::Head { text, .. } => Some(text.clone()),
+        _ => None,
+    });
+    texts.collect()
+}
