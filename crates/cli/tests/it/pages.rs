@@ -1,6 +1,8 @@
 //! Pages for a browser: what is on them, that nothing of a file is taken for markup, and that they
 //! are written all or nothing.
 
+#![allow(clippy::unwrap_used, reason = "a test that cannot go on fails")]
+
 use std::fs;
 
 use crate::run::{Folder, QUADRILATERAL, assert_says, figure_1, part};

@@ -23,9 +23,10 @@ pub(crate) struct Inputs<'a> {
 impl Inputs<'_> {
     /// The command line and the files, word for word.
     pub(super) fn section(self) -> Markup {
+        let arguments = std::env::args_os().skip(1).map(|word| word.to_string_lossy().into_owned());
         html! {
             p { "Made by clench " (env!("CARGO_PKG_VERSION")) ". To make it again:" }
-            pre { (command_line(std::env::args_os().skip(1).map(|a| a.to_string_lossy().into_owned()))) }
+            pre { (command_line(arguments)) }
             @for Source { name, text } in self.texts {
                 details open {
                     summary { (name) }

@@ -100,7 +100,9 @@ impl Sheet<'_> {
             @if let Some(Headline { text, badges }) = &self.headline {
                 p.headline {
                     (typeset(text))
-                    @for (tone, badge) in badges { " " span.badge.(tone.class()) { (typeset(badge)) } }
+                    @for (tone, badge) in badges {
+                        " " span.badge.(tone.class()) { (typeset(badge)) }
+                    }
                 }
             }
             @if !self.warnings.is_empty() {
