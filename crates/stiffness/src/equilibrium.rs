@@ -59,7 +59,7 @@ impl<const N: usize, const M: usize> Grasp<N, M> {
 }
 
 /// The size of `part` relative to `whole`; nothing of nothing is nothing.
-fn relative<const D: usize>(part: Vector<D>, whole: f64) -> f64 {
+pub(crate) fn relative<const D: usize>(part: Vector<D>, whole: f64) -> f64 {
     let size = part.scaled_norm();
     if size <= 0.0 { 0.0 } else { size / whole }
 }

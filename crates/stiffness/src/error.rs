@@ -33,6 +33,34 @@ pub enum GraspError {
         /// The residual torque about the centroid, relative to the forces times their arms.
         torque: f64,
     },
+    /// A support is not finite, or has no normal.
+    #[error("support {support} is out of range: its point has to be finite, and it needs a normal")]
+    Support {
+        /// The first such support, from 0.
+        support: usize,
+    },
+    /// Contact forces that were to follow from equilibrium do not.
+    #[error(
+        "the forces of {contacts} contacts do not follow from balance, as only {rank} of them are \
+         independent"
+    )]
+    Undetermined {
+        /// How many contacts there are.
+        contacts: usize,
+        /// How many independent wrenches they have.
+        rank: usize,
+    },
+    /// No contact forces balance the loads, not even pulling ones.
+    #[error(
+        "no forces of these contacts balance the rest: at best {force:.1e} of the total is left as \
+         a force, {torque:.1e} of the total times its arms as a torque"
+    )]
+    Unresisted {
+        /// The residual force, relative to the total of the forces.
+        force: f64,
+        /// The residual torque about the centroid, relative to the forces times their arms.
+        torque: f64,
+    },
     /// The linear program over the preloads could not be solved, though it is bounded.
     #[error(
         "whether the preloads of {contacts} contacts can balance was not decided: numerical trouble"

@@ -35,6 +35,7 @@ mod load;
 
 mod equilibrium;
 mod preloads;
+mod reactions;
 mod response;
 mod stability;
 
@@ -45,5 +46,6 @@ pub use error::GraspError;
 pub use grasp::Grasp;
 pub use load::DeadLoad;
 pub use preloads::{BestPreload, Preloads};
+pub use reactions::reactions;
 pub use response::LiftOff;
 pub use stability::Stability;

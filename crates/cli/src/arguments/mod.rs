@@ -35,7 +35,7 @@ A grasp file has contacts besides; so have the files of --fix and --candidates, 
 
   [[contacts]]
   point = [6, 0]                             # or the center of a round finger, without a preload
-  preload = 9.81                             # 0 if left out
+  preload = 9.81                             # 0 if left out; "balanced": follows from the rest
   edge = 0                                   # or face; needed where several meet; or
   # inward_normal = [0, 1]
   finger = { radius = 0.5 }                  # a pointed finger if left out; in space also

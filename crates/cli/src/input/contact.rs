@@ -7,7 +7,7 @@ use super::boundary::{Foot, Piece, PieceKind, Seat};
 use super::fault::{ContactFault, Coordinates, Fault, Nearest};
 use super::grasp::{Source, vector};
 use super::place::Place;
-use super::schema;
+use super::schema::{self, Preload};
 use crate::failure::Failure;
 
 /// How far a contact may be from the boundary, relative to the radius of the part: as many digits
@@ -23,6 +23,8 @@ pub(super) struct Entry<'a, const N: usize> {
     pub(super) source: &'a Source<'a, N>,
     pub(super) number: usize,
     pub(super) given: &'a schema::Contact,
+    /// The force of a contact that balances the rest; none before it is known.
+    pub(super) balancing: Option<f64>,
 }
 
 /// Where a finger sits, and how hard it presses.
@@ -110,8 +112,7 @@ impl<const N: usize> Entry<'_, N> {
         match (&self.given.point, &self.given.center) {
             (Some(point), None) => {
                 let seat = self.seat_at(vector("point", point)?)?;
-                let preload = self.given.preload.map_or(0.0, |preload| preload.0);
-                Ok((seat, Press::Preload(preload)))
+                Ok((seat, Press::Preload(self.preload()?)))
             }
             (None, Some(center)) => self.seat_around(vector("center", center)?),
             (None, None) => {
@@ -119,6 +120,16 @@ impl<const N: usize> Entry<'_, N> {
             }
             (Some(_), Some(_)) => {
                 Err(self.fault("center", ContactFault::PointOrCenter { found: "both" }))
+            }
+        }
+    }
+
+    fn preload(&self) -> Result<f64, Failure> {
+        match self.given.preload {
+            None => Ok(0.0),
+            Some(Preload::Force(force)) => Ok(force.0),
+            Some(Preload::Balanced) => {
+                self.balancing.ok_or_else(|| self.fault("preload", ContactFault::NothingToBalance))
             }
         }
     }

@@ -74,7 +74,8 @@ pub(crate) fn given_contacts(
         stiffness: holder.body.stiffness.as_deref(),
     };
     let contact = |(number, given): (usize, &schema::Contact)| {
-        let (contact, piece) = spatial_contact(&Entry { source: &source, number, given })?;
+        let entry = Entry { source: &source, number, given, balancing: None };
+        let (contact, piece) = spatial_contact(&entry)?;
         let face = piece.map(|Piece { number, .. }| number);
         Ok(GivenContact { contact, face, finger: given.finger.clone() })
     };

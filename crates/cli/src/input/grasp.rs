@@ -4,6 +4,7 @@ use clench::contact::{Contact, Hertz};
 use clench::screw::Vector;
 use clench::stiffness::{Grasp, GraspError};
 
+use super::balance;
 use super::boundary::{Boundary, Piece};
 use super::contact::Entry;
 use super::document::Document;
@@ -91,11 +92,9 @@ fn grasp<const N: usize, const M: usize>(
     if file.contacts.is_empty() {
         return Err(document.error(&Place::default().field("contacts"), Fault::NoContacts));
     }
-    let entries = file.contacts.iter().enumerate();
-    let contacts = entries.map(|(number, given)| contact(&Entry { source, number, given }));
-    let (contacts, pieces): (Vec<_>, Vec<_>) =
-        contacts.collect::<Result<Vec<_>, _>>()?.into_iter().unzip();
     let loads = load::dead_loads(document, &file.loads)?;
+    let (contacts, pieces): (Vec<_>, Vec<_>) =
+        balance::contacts(source, &file.contacts, &loads, contact)?.into_iter().unzip();
     let grasp = Grasp::new(contacts).and_then(|grasp| grasp.with_loads(loads)).map_err(|e| {
         let place = match e {
             GraspError::OutOfRange { contact } => Place::contact(contact),

@@ -11,6 +11,8 @@ mod mesh;
 mod given;
 mod grasp;
 
+mod balance;
+
 mod contact;
 mod finger;
 mod law;

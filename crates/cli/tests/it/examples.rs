@@ -173,7 +173,7 @@ fn has_lines<'a>(text: &str, lines: &[&'a str]) -> Result<(), &'a str> {
     Ok(())
 }
 
-/// Whether each number in backticks is somewhere in `source`.
+/// Whether each number in backticks is somewhere in `source`, perhaps with the other sign.
 fn has_numbers(page: &str, source: &str) -> Result<(), String> {
     let words = |text: &str| -> Vec<String> {
         let split = text.split(|c: char| c.is_whitespace() || "()[]{},;:=`".contains(c));
@@ -183,7 +183,7 @@ fn has_numbers(page: &str, source: &str) -> Result<(), String> {
     let prose = page.split("```").step_by(2);
     for code in prose.flat_map(|text| text.split('`').skip(1).step_by(2)) {
         for word in words(code).iter().filter(|word| word.parse::<f64>().is_ok()) {
-            if !known.contains(word) {
+            if !(known.contains(word) || known.contains(&format!("-{word}"))) {
                 return Err(format!("`{word}` of `{code}` is in no output and in no file"));
             }
         }
@@ -262,12 +262,12 @@ fn a_walk_through_of_anything_else_does_not_hold() {
 /// A picture that is kept is held against the one that is drawn.
 #[test]
 fn a_walk_through_with_another_picture_does_not_hold() {
-    let kept = Folder::new("walk-picture-kept");
+    let kept = Folder::new("walk-stale-kept");
     let outline = "[[0, 0], [20, 0], [20, 20], [0, 20]]";
     kept.write("square.toml", crate::run::part(outline, "2000"));
     kept.write("README.md", format!("{COMMAND}![the square](square.svg)"));
     kept.write("square.svg", "<svg/>").write("other.svg", "<svg/>");
-    let stale = holds(&kept.path("."), &Folder::new("walk-picture-copy")).unwrap_err();
+    let stale = holds(&kept.path("."), &Folder::new("walk-stale-copy")).unwrap_err();
     assert!(stale.starts_with("square.svg is stale"), "{stale}");
     kept.write("README.md", format!("{COMMAND}![another](other.svg)"));
     fs::remove_file(kept.path("square.svg")).unwrap();

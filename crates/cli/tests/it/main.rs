@@ -1,8 +1,10 @@
 //! The tests of the `clench` command, in one binary: each runs it on files of its own.
 
 mod answers;
+mod balanced_preloads;
 mod conditions;
 mod contacts;
+mod couplings;
 mod documents;
 mod examples;
 mod fingers;

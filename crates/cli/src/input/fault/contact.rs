@@ -26,6 +26,12 @@ pub(crate) enum ContactFault {
     /// A center says how deep the finger presses; so does a preload.
     #[error("found a `preload` beside a `center`, from which the preload follows")]
     PreloadWithCenter,
+    /// A balanced preload where nothing is balanced.
+    #[error(
+        "found `balanced`, expected a number: `optimize` finds how a preload is shared, and needs \
+         a force only for a law that is not linear"
+    )]
+    NothingToBalance,
     /// The center of something that has none.
     #[error(
         "found a `center` of a finger that is not round, expected a finger with a `radius`, zero \

@@ -1,5 +1,6 @@
 //! What can be wrong with a file's text and numbers.
 
+mod balance;
 mod contact;
 mod load;
 mod mesh;
@@ -16,6 +17,7 @@ use super::number::in_words;
 use super::place::Place;
 use super::schema::{Units, VERSION};
 
+pub(crate) use balance::{BalanceFault, Pull};
 pub(crate) use contact::{ContactFault, Coordinates, Nearest};
 pub(crate) use load::LoadFault;
 pub(crate) use mesh::MeshFault;
@@ -123,6 +125,9 @@ pub(crate) enum Fault {
     /// What holds it.
     #[error(transparent)]
     Contact(#[from] ContactFault),
+    /// How hard that presses.
+    #[error(transparent)]
+    Balance(#[from] BalanceFault),
     /// What acts on it.
     #[error(transparent)]
     Load(#[from] LoadFault),
@@ -135,6 +140,7 @@ impl Fault {
     fn help(&self) -> Option<Cow<'static, str>> {
         let fixed = match self {
             Self::Contact(fault) => return fault.help(),
+            Self::Balance(fault) => return fault.help().map(Cow::Owned),
             Self::Schema { help, .. } => *help,
             Self::NoContacts => Some("`clench optimize` finds where to put the fingers"),
             Self::Part(fault) => fault.help(),

@@ -3,7 +3,7 @@
 use std::fmt;
 
 use serde::de::value::MapAccessDeserializer;
-use serde::de::{Deserializer, Error, MapAccess, Visitor};
+use serde::de::{Deserializer, Error, MapAccess, Unexpected, Visitor};
 use serde::{Deserialize, Serialize};
 
 use super::super::number::{Coordinates, Finite, Whole};
@@ -20,8 +20,16 @@ pub(crate) struct Contact {
     pub(crate) face: Option<Whole>,
     #[serde(default, deserialize_with = "law_of_table")]
     pub(crate) law: Option<Law>,
-    pub(crate) preload: Option<Finite>,
+    pub(crate) preload: Option<Preload>,
     pub(crate) finger: Option<Finger>,
+}
+
+/// The contact force at rest.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum Preload {
+    Force(Finite),
+    /// What balances the loads and the other preloads.
+    Balanced,
 }
 
 /// Force as a function of overlap.
@@ -95,6 +103,36 @@ impl<'de> Visitor<'de> for LawVisitor {
 
     fn visit_map<A: MapAccess<'de>>(self, fields: A) -> Result<Law, A::Error> {
         Law::deserialize(MapAccessDeserializer::new(fields))
+    }
+}
+
+impl<'de> Deserialize<'de> for Preload {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        deserializer.deserialize_any(PreloadVisitor)
+    }
+}
+
+struct PreloadVisitor;
+
+impl Visitor<'_> for PreloadVisitor {
+    type Value = Preload;
+
+    fn expecting(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
+        out.write_str("a finite number, or \"balanced\"")
+    }
+
+    fn visit_f64<E: Error>(self, value: f64) -> Result<Preload, E> {
+        if value.is_finite() {
+            return Ok(Preload::Force(Finite(value)));
+        }
+        Err(E::invalid_value(Unexpected::Float(value), &self))
+    }
+
+    fn visit_str<E: Error>(self, word: &str) -> Result<Preload, E> {
+        match word {
+            "balanced" => Ok(Preload::Balanced),
+            _ => Err(E::invalid_value(Unexpected::Str(word), &self)),
+        }
     }
 }
 

@@ -12,7 +12,7 @@ use serde::{Deserialize, Serialize};
 
 use super::number::{Name, Whole};
 
-pub(crate) use contact::{Contact, Finger, Law, Material};
+pub(crate) use contact::{Contact, Finger, Law, Material, Preload};
 pub(crate) use forbidden::{Forbidden, ForbiddenStretch};
 pub(crate) use load::{Load, LoadCase, NamedPoint};
 pub(crate) use part::{Part, Planar, Spatial};
