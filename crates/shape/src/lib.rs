@@ -9,6 +9,7 @@
 //! | --- | --- |
 //! | where a finger can touch, and along which normal | [`Polygon::edges`], [`Polyhedron::faces`] |
 //! | the same where sides are cut into many faces, as in a mesh | [`Polyhedron::facets`] |
+//! | where a finger with a round tip can touch | [`Polyhedron::accessible`] |
 //! | the same on a round body, with the curvature | [`Ellipsoid::at_normal`], [`BoundaryPoint`] |
 //! | what of the boundary a given point lies on | [`Polygon::place`], [`Polyhedron::place`] |
 //! | the signed distance of a point | [`Ellipsoid::nearest`], [`Polyhedron::signed_distance`] |
@@ -97,7 +98,8 @@ pub use place::Place;
 pub use point_hull::PointHull;
 pub use polygon::{Polygon, Winding};
 pub use polyhedron::{
-    Face, FaceFeature, FacePlace, Facet, LARGEST_SOLID_COORDINATE, Polyhedron, PolyhedronError,
+    ACCESS_TOLERANCE, AccessError, AccessibleFacet, BallTip, Face, FaceFeature, FacePlace, Facet,
+    KeepOut, LARGEST_SOLID_COORDINATE, MOST_HOLES, Obstruction, Plate, Polyhedron, PolyhedronError,
     SMALLEST_SOLID_COORDINATE,
 };
 pub use reach::Reach;

@@ -1,5 +1,6 @@
 //! Solids bounded by flat faces.
 
+mod accessible;
 mod convexity;
 mod crossing;
 mod ears;
@@ -15,6 +16,10 @@ use std::collections::HashMap;
 
 use clench_screw::Vector;
 
+pub use accessible::{
+    ACCESS_TOLERANCE, AccessError, AccessibleFacet, BallTip, KeepOut, MOST_HOLES, Obstruction,
+    Plate,
+};
 pub use error::PolyhedronError;
 pub use face::Face;
 pub use facet::Facet;

@@ -52,6 +52,20 @@ impl FaceTree {
         self.boxes.leaves(|_: &BvhNode| true).map(|face| face as usize)
     }
 
+    /// What coordinates are multiplied by.
+    pub(super) const fn scale(&self) -> f64 {
+        self.scale
+    }
+
+    /// The faces in boxes whose lowest and highest corners, in units of the tree, `meets` accepts.
+    pub(super) fn in_boxes(
+        &self,
+        meets: impl Fn([f64; 3], [f64; 3]) -> bool,
+    ) -> impl Iterator<Item = usize> {
+        let accepts = move |node: &BvhNode| meets(node.mins().to_array(), node.maxs().to_array());
+        self.boxes.leaves(accepts).map(|face| face as usize)
+    }
+
     /// The faces whose boxes meet that of these corners.
     pub(super) fn overlapping(
         &self,

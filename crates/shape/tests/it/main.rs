@@ -8,6 +8,7 @@
     reason = "a test that cannot go on fails, and exact results are compared exactly"
 )]
 
+mod accessible;
 mod cases;
 mod crossings;
 mod deepest;
