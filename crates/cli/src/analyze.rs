@@ -1,5 +1,6 @@
 //! `clench analyze`: what a given grasp is worth.
 
+use std::io;
 use std::path::PathBuf;
 
 use clench::contact::Order;
@@ -9,6 +10,7 @@ use clench::stiffness::{Equilibrium, Grasp, Preloads};
 
 use crate::answer::Answer;
 use crate::arguments::{AnalyzeArguments, Format, OrderArgument};
+use crate::color::Paint;
 use crate::failure::Failure;
 use crate::held::{Classes, NotHeld, Slack, held};
 use crate::input::{self, Document, FileGrasp, LoadFault, NamedPoint, Part, Piece, Place, schema};
@@ -68,6 +70,9 @@ struct Question<'a> {
 /// Runs the command.
 pub(crate) fn analyze(arguments: &AnalyzeArguments) -> Result<Answer, Failure> {
     let (document, file) = Document::read(&arguments.grasp)?;
+    if arguments.check && file.load_cases.is_empty() {
+        return Err(Failure::NothingToCheck { name: document.name().to_owned() });
+    }
     let question = Question { arguments, document: &document, units: &file.units };
     let frame = arguments.frame.as_ref();
     match input::part(&document, &file.part)? {
@@ -160,16 +165,18 @@ impl<'a> Question<'a> {
         meshes: Vec<PathBuf>,
     ) -> Result<Answer, Failure> {
         let output = &self.arguments.output;
-        let words = AnalysisText { name: self.document.name(), report: &report };
+        let words = |paint| AnalysisText { name: self.document.name(), report: &report, paint };
         let text = match output.format {
-            Format::Text => words.to_string(),
+            Format::Text => words(output.color.paint(&io::stdout())).to_string(),
             Format::Json => report::json(&report)?,
         };
         let mut page = None;
         if output.report.is_some() {
             let inputs = Inputs { texts: &[self.document.source()], others: &meshes };
-            page = Some(html::of_analysis(&words, &picture.figures()?, inputs));
+            page = Some(html::of_analysis(&words(Paint::Plain), &picture.figures()?, inputs));
         }
-        Ok(Answer { report: text, page, picture, meshes, reason: report.reason })
+        let failed = report.verdict.filter(|verdict| self.arguments.check && !verdict.passes);
+        let failed_check = failed.map(|verdict| verdict.reasons.join("; "));
+        Ok(Answer { report: text, page, picture, meshes, reason: report.reason, failed_check })
     }
 }

@@ -17,4 +17,6 @@ pub(crate) struct Answer {
     pub(crate) meshes: Vec<PathBuf>,
     /// Why there is no quality, or why the fingers cannot hold the part.
     pub(crate) reason: Option<String>,
+    /// Why load cases fail that had to pass.
+    pub(crate) failed_check: Option<String>,
 }

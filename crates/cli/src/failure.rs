@@ -41,6 +41,9 @@ pub(crate) enum Failure {
     /// The frame of the command line has another dimension than the part.
     #[error("--frame has {found} numbers, expected six for a spatial part: x,y,z,rx,ry,rz")]
     SpatialFrame { found: usize },
+    /// A check of load cases that do not exist.
+    #[error("--check: {name} has no load cases, expected at least one [[load_cases]]")]
+    NothingToCheck { name: String },
     /// A grasp that no page can show.
     #[error("the picture cannot be drawn: {0}")]
     Picture(#[from] DrawError),
@@ -69,6 +72,7 @@ impl Failure {
             Self::Usage { .. }
                 | Self::PlanarFrame { .. }
                 | Self::SpatialFrame { .. }
+                | Self::NothingToCheck { .. }
                 | Self::Option { .. }
         )
     }

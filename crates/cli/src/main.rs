@@ -11,6 +11,7 @@ mod metrics;
 mod response;
 
 mod answer;
+mod color;
 mod failure;
 
 mod input;
@@ -39,7 +40,7 @@ const BAD_INPUT: u8 = 1;
 /// A command line that does not go with the file; nothing was written. Clap uses it too.
 const WRONG_USAGE: u8 = 2;
 
-/// A sound question without an answer.
+/// A sound question without an answer, or whose answer fails a check.
 const NO_ANSWER: u8 = 3;
 
 fn main() -> ExitCode {
@@ -49,11 +50,15 @@ fn main() -> ExitCode {
         Command::Optimize(a) => finish(optimize::optimize(a), &a.files(), &a.output),
     };
     match answer {
-        Ok(Answer { reason: None, .. }) => ExitCode::SUCCESS,
         Ok(Answer { reason: Some(reason), .. }) => {
             complain(&format!("clench: no answer: {reason}\n"));
             ExitCode::from(NO_ANSWER)
         }
+        Ok(Answer { failed_check: Some(reasons), .. }) => {
+            complain(&format!("clench: the check failed: {reasons}\n"));
+            ExitCode::from(NO_ANSWER)
+        }
+        Ok(_) => ExitCode::SUCCESS,
         Err(failure) => {
             complain(&shown(&failure));
             ExitCode::from(if failure.is_usage() { WRONG_USAGE } else { BAD_INPUT })

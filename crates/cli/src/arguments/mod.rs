@@ -8,6 +8,8 @@ use std::path::PathBuf;
 use clap::error::ErrorKind;
 use clap::{Args, CommandFactory, Parser, Subcommand, ValueEnum};
 
+use crate::color::ColorArgument;
+
 pub(crate) use optimize::{ObjectiveArgument, OptimizeArguments};
 pub(crate) use value::FrameArgument;
 
@@ -52,11 +54,14 @@ A grasp file has contacts besides; so have the files of --fix and --candidates, 
   [[points]]                                 # whose displacement is reported
   name = "bore"
   point = [6, 5]
+  tolerance = 0.02                           # its largest displacement; none if left out
+  direction = [0, 1]                         # only along this direction; any if left out
 
   [[load_cases]]                             # on top of that, such as the force of a tool
   name = "milling"
   force = [0.5, 0]
   point = [9, 8]                             # the origin if left out
+  forces = [{ force = [0, -1], point = [2, 6] }] # more of them, each at its point
   torque = 2                                 # in space [x, y, z]
   tolerance = 0.05                           # largest displacement of any point of the part
 
@@ -118,6 +123,10 @@ pub(crate) struct AnalyzeArguments {
     /// out.
     #[arg(long, value_name = "X,Y,ANGLE", value_parser = value::frame, allow_hyphen_values = true)]
     pub(crate) frame: Option<FrameArgument>,
+    /// End with the exit code 3 unless all load cases pass: no contact lifts off, and every
+    /// tolerance is kept.
+    #[arg(long)]
+    pub(crate) check: bool,
     #[command(flatten)]
     pub(crate) output: OutputArguments,
 }
@@ -135,6 +144,9 @@ pub(crate) struct OutputArguments {
     /// besides, and opens offline. The pictures are in the frame of the input file.
     #[arg(long, value_name = "FILE")]
     pub(crate) report: Option<PathBuf>,
+    /// Whether words that say good or bad have a color.
+    #[arg(long, value_enum, value_name = "WHEN", default_value = "auto")]
+    pub(crate) color: ColorArgument,
 }
 
 impl OutputArguments {

@@ -40,7 +40,7 @@ pub(crate) use document::Document;
 pub(crate) use fault::{InputError, LoadFault};
 pub(crate) use given::{GivenContact, Holder, given_contacts};
 pub(crate) use grasp::{FileGrasp, planar_grasp, spatial_grasp};
-pub(crate) use load::{LoadCase, NamedPoint};
+pub(crate) use load::{LoadCase, NamedPoint, PointForce, PointTolerance};
 pub(crate) use number::{FileName, Finite, Whole};
 pub(crate) use part::{
     Body, Part, PlanarShape, Solid, SpatialShape, TouchablePart, part, touchable_part,

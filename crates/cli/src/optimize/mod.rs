@@ -144,7 +144,7 @@ fn answered(
         let inputs = Inputs { texts: &texts, others: &meshes };
         page = Some(html::of_optimum(words, &picture.figures()?, inputs));
     }
-    Ok(Answer { report: text, page, picture, meshes, reason: None })
+    Ok(Answer { report: text, page, picture, meshes, reason: None, failed_check: None })
 }
 
 /// The answer that there is none.
@@ -159,5 +159,5 @@ fn unanswered(
         Format::Text => String::new(),
         Format::Json => report::json(&UnansweredReport { question, reason: &reason })?,
     };
-    Ok(Answer { report, page: None, picture, meshes, reason: Some(reason) })
+    Ok(Answer { report, page: None, picture, meshes, reason: Some(reason), failed_check: None })
 }

@@ -5,6 +5,7 @@ use clench::screw::Stiffness;
 use clench::stiffness::Equilibrium;
 use serde::Serialize;
 
+use super::case_verdict::OverallVerdict;
 use super::load_case::LoadCaseReport;
 use super::measures::{InPlane, InSpace, MetricsReport};
 use super::number::{UnitNames, in_plane_a_number};
@@ -41,6 +42,9 @@ pub(crate) struct AnalysisReport<'a> {
     /// None in the file, or none that means anything, if the part is not held.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub(crate) load_cases: Vec<LoadCaseReport>,
+    /// On the load cases, if the file has any.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(crate) verdict: Option<OverallVerdict>,
     pub(crate) force_closure: bool,
     /// `t*`, the least share of the balanced preload whose least share is largest.
     pub(crate) preload_margin: Option<f64>,
@@ -182,6 +186,11 @@ impl<'a> AnalysisReport<'a> {
             equilibrium: equilibrium(analysis),
             stability: analysis.classes.grasp.into(),
             metrics: analysis.metrics.as_ref().ok().map(|m| MetricsReport::new(m, &analysis.view)),
+            verdict: OverallVerdict::on(
+                &load_cases,
+                analysis.unanswered,
+                verdict.reason.as_deref(),
+            ),
             load_cases,
             force_closure: analysis.preloads.force_closure,
             preload_margin: analysis.preloads.best.as_ref().map(|best| plain(best.margin)),

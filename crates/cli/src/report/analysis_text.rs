@@ -7,6 +7,7 @@ use super::measures::MetricsReport;
 use super::number::{UnitNames, numbered, spot};
 use super::page::Page;
 use super::words::{OrderWord, StabilityWord};
+use crate::color::Paint;
 use crate::wording::{counted, digits, precise_digits, rough_digits};
 
 /// A report and the name of the file that it is on.
@@ -14,6 +15,7 @@ use crate::wording::{counted, digits, precise_digits, rough_digits};
 pub(crate) struct AnalysisText<'a> {
     pub(crate) name: &'a str,
     pub(crate) report: &'a AnalysisReport<'a>,
+    pub(crate) paint: Paint,
 }
 
 impl fmt::Display for AnalysisText<'_> {
@@ -73,10 +75,11 @@ impl AnalysisText<'_> {
             (_, Some(reason)) => page.head("no answer", reason),
             (None, None) => {}
         }
-        self.load_case_heads(page);
+        self.verdict(page);
         for warning in &report.warnings {
             page.head("warning", warning);
         }
+        self.load_case_heads(page);
     }
 
     /// What the numbers are about.

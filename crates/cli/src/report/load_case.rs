@@ -4,9 +4,10 @@ use clench::screw::Vector;
 use clench::stiffness::LiftOff;
 use serde::Serialize;
 
+use super::case_verdict::{CaseVerdict, PointCheck, lifted};
 use super::number::{UnitNames, in_plane_a_number};
 use crate::analyze::Analysis;
-use crate::input::NamedPoint;
+use crate::input::{NamedPoint, PointForce, PointTolerance};
 use crate::response::Response;
 use crate::view::plain;
 use crate::wording::digits;
@@ -20,14 +21,18 @@ const SMALL_TURN: f64 = 0.1;
 pub(crate) struct LoadCaseReport {
     #[serde(skip_serializing_if = "Option::is_none")]
     pub(crate) name: Option<String>,
+    /// The sum of all forces.
     pub(crate) force: Vec<f64>,
-    /// Where the force acts; none if there is a couple only.
+    /// Where the force acts, if it is one.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub(crate) point: Option<Vec<f64>>,
-    /// Besides the force, if the file has one.
+    /// If they are several.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub(crate) forces: Vec<ForceReport>,
+    /// Besides the forces, if the file has one.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub(crate) couple: Option<Turning>,
-    /// Of force and couple about the frame's origin.
+    /// Of forces and couple about the frame's origin.
     pub(crate) torque: Turning,
     pub(crate) displacement: DisplacementReport,
     pub(crate) points: Vec<PointReport>,
@@ -44,6 +49,17 @@ pub(crate) struct LoadCaseReport {
     /// How many times the load can grow until a point moves by the tolerance, if nothing lifts off.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub(crate) margin: Option<f64>,
+    /// What is left of the tolerance, negative where it is exceeded.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(crate) room: Option<f64>,
+    pub(crate) verdict: CaseVerdict,
+}
+
+/// A force and where it acts.
+#[derive(Debug, Serialize)]
+pub(crate) struct ForceReport {
+    pub(crate) force: Vec<f64>,
+    pub(crate) point: Vec<f64>,
 }
 
 /// A torque or a rotation.
@@ -65,6 +81,9 @@ pub(crate) struct PointReport {
     pub(crate) point: Vec<f64>,
     pub(crate) displacement: Vec<f64>,
     pub(crate) distance: f64,
+    /// Of its tolerance, if it has one.
+    #[serde(flatten)]
+    pub(crate) check: Option<PointCheck>,
 }
 
 /// How the point of the part that moves most does.
@@ -110,22 +129,20 @@ impl LoadCaseReport {
         let moved = |point: Vector<N>| view.direction(displacement.at(point));
         let turning = |turning: Vector<M>| Turning(view.turning(turning));
         let rotation = turning(displacement.twist.angular);
-        let named = |NamedPoint { name, point }: &NamedPoint<N>| PointReport {
-            name: name.clone(),
-            point: view.point(*point),
-            displacement: moved(*point),
-            distance: displacement.at(*point).norm(),
-        };
         let margin = case.tolerance.map(|tolerance| displacement.margin(tolerance));
         let first_to_lift_off = response.lift_off.and_then(LiftOffReport::new);
-        Self {
+        let mut report = Self {
             name: case.name.clone(),
             force: view.direction(load.force),
-            point: case.force.map(|_| view.point(case.point)),
+            point: match &case.forces[..] {
+                [one] => Some(view.point(one.point)),
+                _ => None,
+            },
+            forces: forces(analysis, &case.forces),
             couple: case.couple.map(turning),
             torque: turning(load.torque),
             displacement: DisplacementReport { translation: moved(origin), rotation },
-            points: analysis.points.iter().map(named).collect(),
+            points: named_points(analysis, response),
             largest: LargestReport {
                 point: view.point(largest.point),
                 corner: largest.corner,
@@ -137,25 +154,35 @@ impl LoadCaseReport {
             first_to_lift_off,
             tolerance: case.tolerance,
             margin: margin.filter(|margin| margin.is_finite()),
-        }
+            room: case.tolerance.map(|tolerance| tolerance - largest.value),
+            verdict: CaseVerdict::default(),
+        };
+        report.verdict = CaseVerdict::on(&mut report, analysis.size, UnitNames(analysis.units));
+        report
+    }
+
+    /// Whether turn and displacement are small beside a part of the given `size`.
+    pub(super) fn is_small(&self, size: f64) -> bool {
+        self.turn() <= SMALL_TURN && self.largest.distance <= SMALL_TURN * size
+    }
+
+    fn turn(&self) -> f64 {
+        self.displacement.rotation.0.iter().map(|x| x * x).sum::<f64>().sqrt()
     }
 
     /// What a reader has to know before trusting the numbers of load case `number` of a part of
     /// the given `size`.
     pub(super) fn warnings(&self, number: usize, size: f64, units: UnitNames<'_>) -> Vec<String> {
         let case = self.title(number);
-        let turn = self.displacement.rotation.0.iter().map(|x| x * x).sum::<f64>().sqrt();
-        let is_small = turn <= SMALL_TURN && self.largest.distance <= SMALL_TURN * size;
-        let large = (!is_small).then(|| {
+        let large = (!self.is_small(size)).then(|| {
             let distance = units.length(self.largest.distance);
             format!(
                 "under {case} the part would move by {distance} and turn by {} rad: that is not \
                  small, and the numbers of this load case do not hold",
-                digits(turn)
+                digits(self.turn())
             )
         });
-        let lifted = self.first_to_lift_off.as_ref().filter(|first| first.load_factor < 1.0);
-        let lifted = lifted.map(|first| {
+        let lifted = lifted(self).map(|first| {
             let (contact, factor) = (first.contact, digits(first.load_factor));
             format!(
                 "under {case} contact {contact} lifts off at {factor} times the load: a finger can \
@@ -169,7 +196,9 @@ impl LoadCaseReport {
                 "under {case} the part moves by {distance}, beyond the tolerance of {tolerance}"
             )
         });
-        large.into_iter().chain(lifted).chain(exceeded).collect()
+        let of_points = self.points.iter().filter_map(|point| point.exceeded(units));
+        let of_points = of_points.map(|exceeded| format!("under {case} {exceeded}"));
+        large.into_iter().chain(lifted).chain(exceeded).chain(of_points).collect()
     }
 
     /// The load case by its number, and its name if it has one.
@@ -186,6 +215,51 @@ impl LiftOffReport {
     fn new(LiftOff { contact, load_factor }: LiftOff) -> Option<Self> {
         load_factor.is_finite().then_some(Self { contact, load_factor: plain(load_factor) })
     }
+}
+
+/// The forces of a load case, if they are several.
+fn forces<const N: usize, const M: usize>(
+    analysis: &Analysis<'_, N, M>,
+    forces: &[PointForce<N>],
+) -> Vec<ForceReport> {
+    let view = &analysis.view;
+    let several = if forces.len() > 1 { forces } else { &[] };
+    let report = |at: &PointForce<N>| ForceReport {
+        force: view.direction(at.force),
+        point: view.point(at.point),
+    };
+    several.iter().map(report).collect()
+}
+
+fn named_points<const N: usize, const M: usize>(
+    analysis: &Analysis<'_, N, M>,
+    response: &Response<'_, N, M>,
+) -> Vec<PointReport> {
+    let (view, displacement) = (&analysis.view, &response.displacement);
+    let named = |NamedPoint { name, point, tolerance }: &NamedPoint<N>| {
+        let moved = displacement.at(*point);
+        let check = |PointTolerance { allowed, direction }: PointTolerance<N>| {
+            let along = direction.map(|direction| moved.dot(direction));
+            let found = along.map_or(moved.norm(), f64::abs);
+            let margin = allowed / found;
+            PointCheck {
+                tolerance: allowed,
+                direction: direction.map(|direction| view.direction(direction)),
+                along: along.map(plain),
+                margin: margin.is_finite().then_some(margin),
+                room: allowed - found,
+                passes: false,
+            }
+        };
+        PointReport {
+            name: name.clone(),
+            point: view.point(*point),
+            displacement: view.direction(moved),
+            distance: moved.norm(),
+            check: tolerance.map(check),
+        }
+    };
+    analysis.points.iter().map(named).collect()
 }
 
 fn contact_forces<const N: usize, const M: usize>(

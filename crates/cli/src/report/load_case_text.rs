@@ -1,7 +1,7 @@
 //! What load cases do, in words.
 
 use super::analysis_text::AnalysisText;
-use super::load_case::{ContactForce, LiftOffReport, LoadCaseReport, Turning};
+use super::load_case::{ContactForce, LoadCaseReport, Turning};
 use super::number::{INVISIBLE, beside, spot};
 use super::page::Page;
 use crate::wording::digits;
@@ -28,30 +28,14 @@ impl AnalysisText<'_> {
     /// What the file says that acts.
     fn load(&self, case: &LoadCaseReport) -> String {
         let units = self.units();
-        let force = case.point.as_ref().map(|point| {
-            format!("force {} {} at {}", spot(&case.force, 0.0), units.0.force, self.spot(point))
-        });
+        let at = |force: &[f64], point: &[f64]| {
+            format!("force {} {} at {}", spot(force, 0.0), units.0.force, self.spot(point))
+        };
+        let one = case.point.as_ref().map(|point| at(&case.force, point));
+        let several = case.forces.iter().map(|of| at(&of.force, &of.point));
         let couple = case.couple.as_ref();
         let couple = couple.map(|Turning(couple)| format!("couple {}", units.torques(couple)));
-        force.into_iter().chain(couple).collect::<Vec<_>>().join(", ")
-    }
-
-    /// The load cases at a glance, a line for each.
-    pub(super) fn load_case_heads(&self, page: &mut Page) {
-        let units = self.units();
-        for (number, case) in self.report.load_cases.iter().enumerate() {
-            let (title, distance) = (case.title(number), units.length(case.largest.distance));
-            let tolerance = case.tolerance.map(|tolerance| units.length(tolerance));
-            let of = tolerance.map_or_else(String::new, |t| format!(", of {t} allowed"));
-            let first = match &case.first_to_lift_off {
-                Some(LiftOffReport { contact, load_factor }) => {
-                    let factor = digits(*load_factor);
-                    format!("contact {contact} lifts off at {factor} times the load")
-                }
-                None => "no contact lifts off".to_owned(),
-            };
-            page.line(format_args!("{title}: {distance} at most{of}; {first}"));
-        }
+        one.into_iter().chain(several).chain(couple).collect::<Vec<_>>().join(", ")
     }
 
     /// The point that moves most, and the named points.

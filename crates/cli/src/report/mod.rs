@@ -10,6 +10,8 @@ mod measures_text;
 mod quality;
 mod stiffness_text;
 
+mod case_verdict;
+mod case_verdict_text;
 mod load_case;
 mod load_case_text;
 

@@ -74,6 +74,9 @@ fn the_files_of_the_page_on_files_are_read() {
         assert_eq!((grasp.code, grasp.err.as_str()), (Some(0), ""));
         assert!(grasp.out.contains(stable), "{}", grasp.out);
     }
+    // The head of the last one is shown.
+    let text = folder.run("analyze grasp.toml").out;
+    assert!(text.contains(blocks(&page, "text")[0]), "{text}");
 }
 
 /// The pinched bar of the guide has the numbers of the text.
@@ -150,7 +153,9 @@ fn the_keys_of_the_reports_are_those_of_the_page() {
     assert_eq!(keys(&planar), listed(&[analyze, "| in the plane | value"]));
     let spatial = folder.json("analyze parts/cube-grasp.toml");
     let mut found = keys(&spatial);
-    assert!(found.remove("load_cases"));
+    for of_load_cases in ["load_cases", "verdict"] {
+        assert!(found.remove(of_load_cases), "{of_load_cases}");
+    }
     assert_eq!(found, listed(&[analyze, "| in space | value"]));
     // The contacts lift off under more than the load.
     assert_eq!(keys(&spatial["load_cases"][0]), listed(&["| key of a load case"]));

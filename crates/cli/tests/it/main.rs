@@ -26,3 +26,4 @@ mod spatial_optima;
 mod spatial_pictures;
 mod spatial_refusals;
 mod unanswered;
+mod verdicts;

@@ -9,8 +9,11 @@ pub(crate) enum LoadFault {
     #[error("found the name of {first} again, expected another one")]
     RepeatedName { first: Place },
     /// A load case that says nothing.
-    #[error("found neither `force` nor `torque`, expected at least one of them")]
+    #[error("found neither `force`, `forces` nor `torque`, expected at least one of them")]
     NoLoad,
+    /// A point where no force acts.
+    #[error("found a `point` without a `force`, expected both, or each `point` under `forces`")]
+    PointWithoutForce,
     /// A torque of space on a planar part.
     #[error("found a list of three numbers, expected one number: the part is planar")]
     SpatialTorque,
@@ -20,6 +23,14 @@ pub(crate) enum LoadFault {
     /// A tolerance that nothing keeps.
     #[error("the tolerance is {value}, but has to be a positive number")]
     Tolerance { value: f64 },
+    /// A direction in which nothing is bounded.
+    #[error(
+        "found a `direction` without a `tolerance`, expected the largest displacement along it"
+    )]
+    DirectionWithoutTolerance,
+    /// A direction that is none.
+    #[error("found a `direction` of length 0, expected one that points somewhere")]
+    NoDirection,
     /// The displacement or a force is not a finite number.
     #[error(
         "what the load does to the part is out of range: choose units in which lengths and forces \
