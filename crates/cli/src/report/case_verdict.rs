@@ -113,7 +113,7 @@ impl OverallVerdict {
     }
 
     /// The verdict in one line: how many of the load cases fail.
-    pub(super) fn in_words(&self, cases: &[LoadCaseReport]) -> String {
+    pub(in crate::report) fn in_words(&self, cases: &[LoadCaseReport]) -> String {
         let (all, failed) = (counted(cases.len(), "load case"), failed(cases));
         match failed {
             _ if self.passes && cases.len() == 1 => "the load case passes".to_owned(),

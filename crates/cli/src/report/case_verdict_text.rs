@@ -25,6 +25,13 @@ impl AnalysisText<'_> {
         if self.report.load_cases.is_empty() {
             return;
         }
+        page.line("");
+        page.table(&self.load_case_rows());
+        page.line("margin: how many times the load can grow, until a contact lifts off at most");
+    }
+
+    /// The rows of that table, with their heading.
+    pub(in crate::report) fn load_case_rows(&self) -> Vec<Vec<String>> {
         let length = &self.report.units.length;
         let [moves, allowed] = ["moves", "allowed"].map(|what| format!("{what} [{length}]"));
         let head = ["load case", "of", &moves, &allowed, "margin", "verdict"];
@@ -33,9 +40,7 @@ impl AnalysisText<'_> {
             rows.push(self.of_part(number, case));
             rows.extend(case.points.iter().map(|point| self.of_point(case, point)));
         }
-        page.line("");
-        page.table(&rows);
-        page.line("margin: how many times the load can grow, until a contact lifts off at most");
+        rows
     }
 
     /// The row of the part as a whole.

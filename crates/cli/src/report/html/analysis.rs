@@ -7,9 +7,8 @@ use super::page::table;
 use super::sheet::{Headline, Section, Sheet, Tone};
 use crate::picture::Figures;
 use crate::report::analysis_text::AnalysisText;
-use crate::report::load_case::{LiftOffReport, LoadCaseReport};
+use crate::report::load_case::LoadCaseReport;
 use crate::report::page::Page;
-use crate::wording::digits;
 
 /// The page on the grasp of `text`.
 pub(crate) fn of_analysis(
@@ -63,7 +62,11 @@ fn headline(text: &AnalysisText<'_>) -> Option<Headline> {
     let quality = &report.metrics.as_ref()?.quality;
     let q = text.units().stiffness(quality.quality);
     let (by, proved) = (quality.limited_by, text.proved(quality.quality_at_least));
-    let badges = vec![(Tone::Good, "held".to_owned())];
+    let verdict = report.verdict.as_ref().map(|verdict| {
+        let tone = if verdict.passes { Tone::Good } else { Tone::Bad };
+        (tone, verdict.in_words(&report.load_cases))
+    });
+    let badges = std::iter::once((Tone::Good, "held".to_owned())).chain(verdict).collect();
     Some(Headline { text: format!("Q = {q}, limited by {by}{proved}"), badges })
 }
 
@@ -81,7 +84,7 @@ fn grasp(text: &AnalysisText<'_>, figures: &Figures) -> Markup {
 fn load_cases(text: &AnalysisText<'_>) -> Markup {
     let cases = &text.report.load_cases;
     html! {
-        @if !cases.is_empty() { (table(&at_a_glance(text, cases))) }
+        @if !cases.is_empty() { (table(&text.load_case_rows())) }
         @for (number, case) in cases.iter().enumerate() {
             h3 { (case.title(number)) }
             (one(text, number, case))
@@ -93,32 +96,4 @@ fn one(text: &AnalysisText<'_>, number: usize, case: &LoadCaseReport) -> Markup 
     let mut page = Page::default();
     text.load_case(&mut page, number, case);
     html!((page))
-}
-
-fn at_a_glance(text: &AnalysisText<'_>, cases: &[LoadCaseReport]) -> Vec<Vec<String>> {
-    let length = &text.report.units.length;
-    let mut rows = vec![vec![
-        "load case".to_owned(),
-        format!("largest displacement [{length}]"),
-        format!("allowed [{length}]"),
-        "tolerance used up at".to_owned(),
-        "first to lift off".to_owned(),
-        "at times the load".to_owned(),
-    ]];
-    let number = |value: Option<f64>| value.map_or_else(String::new, digits);
-    for (i, case) in cases.iter().enumerate() {
-        let lift_off = case.first_to_lift_off.as_ref();
-        rows.push(vec![
-            case.name.clone().unwrap_or_else(|| i.to_string()),
-            digits(case.largest.distance),
-            number(case.tolerance),
-            case.margin.map_or_else(String::new, |margin| format!("{} times", digits(margin))),
-            lift_off.map_or_else(
-                || "none".to_owned(),
-                |LiftOffReport { contact, .. }| format!("contact {contact}"),
-            ),
-            number(lift_off.map(|first| first.load_factor)),
-        ]);
-    }
-    rows
 }
