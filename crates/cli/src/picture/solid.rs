@@ -68,7 +68,11 @@ pub(crate) fn of_optimum_on_solid(
             symbol(report.question.objective),
             units.stiffness(certificate.upper_bound)
         ),
-        format!("gap {}", rough_digits(certificate.gap)),
+        if certificate.proved {
+            "proved".to_owned()
+        } else {
+            format!("gap {}", rough_digits(certificate.gap))
+        },
     ]);
     with_axes(picture, &best.principal)
 }

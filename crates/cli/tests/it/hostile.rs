@@ -82,13 +82,13 @@ fn stiffnesses_that_are_none() {
 #[test]
 fn fields_that_are_wrong() {
     let sound = part(QUADRILATERAL, "1");
-    let holes = format!("{sound}holes = []\n");
+    let cavities = format!("{sound}cavities = []\n");
     let typo = format!("colour = 1\n{sound}");
     for (name, content, pieces) in [
         (
-            "holes",
-            holes.as_str(),
-            ["part.toml:4:1: ", "part.planar.holes", "unknown field `holes`"],
+            "cavities",
+            cavities.as_str(),
+            ["part.toml:4:1: ", "part.planar.cavities", "unknown field `cavities`"],
         ),
         ("typo", &typo, ["part.toml:1:1: ", "colour", "expected one of"]),
         (
