@@ -7,6 +7,7 @@ use clench::contact::Order;
 use clench::screw::{Stiffness, Vector};
 use clench::shape::Extent;
 use clench::stiffness::{Equilibrium, Grasp, Preloads};
+use clench_draw::DrawError;
 
 use crate::answer::Answer;
 use crate::arguments::{AnalyzeArguments, Format, OrderArgument};
@@ -15,7 +16,7 @@ use crate::failure::Failure;
 use crate::held::{Classes, NotHeld, Slack, held};
 use crate::input::{self, Document, FileGrasp, LoadFault, NamedPoint, Part, Piece, Place, schema};
 use crate::metrics::Metrics;
-use crate::picture::{self, Picture};
+use crate::picture::{self, Figures, Picture};
 use crate::report::html::{self, Inputs};
 use crate::report::{self, AnalysisReport, AnalysisText};
 use crate::response::Response;
@@ -67,6 +68,15 @@ struct Question<'a> {
     units: &'a schema::Units,
 }
 
+/// What a report shows besides its words, and what it was made from.
+struct Shown {
+    picture: Picture,
+    /// The pictures of a page, if one is asked for.
+    figures: Option<Figures>,
+    /// The files that the grasp file names.
+    meshes: Vec<PathBuf>,
+}
+
 /// Runs the command.
 pub(crate) fn analyze(arguments: &AnalyzeArguments) -> Result<Answer, Failure> {
     let (document, file) = Document::read(&arguments.grasp)?;
@@ -80,16 +90,20 @@ pub(crate) fn analyze(arguments: &AnalyzeArguments) -> Result<Answer, Failure> {
             let found = input::planar_grasp(&document, &file, &body)?;
             let view = View::planar(frame)?;
             let analysis = question.analysis(&found, body.shape.extent(), view)?;
-            let picture = Picture::Outline(picture::of_analysis(&analysis, &body.shape));
-            question.answer(AnalysisReport::planar(&analysis), picture, Vec::new())
+            let picture = picture::of_analysis(&analysis, &body.shape);
+            let figures = question.shown(|| Figures::of_analysis(&analysis, &picture))?;
+            let shown = Shown { picture: Picture::Outline(picture), figures, meshes: Vec::new() };
+            question.answer(AnalysisReport::planar(&analysis), shown)
         }
         Part::Spatial(body) => {
             let found = input::spatial_grasp(&document, &file, &body)?;
             let view = View::spatial(frame)?;
             let analysis = question.analysis(&found, body.shape.extent(), view)?;
-            let picture = Picture::Solid(picture::of_analysis_in_space(&analysis, &body.shape));
+            let picture = picture::of_analysis_in_space(&analysis, &body.shape);
+            let figures = question.shown(|| Figures::of_analysis_in_space(&analysis, &picture))?;
             let meshes = input::mesh_file(&document, &file.part).into_iter().collect();
-            question.answer(AnalysisReport::spatial(&analysis), picture, meshes)
+            let shown = Shown { picture: Picture::Solid(picture), figures, meshes };
+            question.answer(AnalysisReport::spatial(&analysis), shown)
         }
     }
 }
@@ -158,11 +172,18 @@ impl<'a> Question<'a> {
         found.load_cases.iter().enumerate().map(response).collect()
     }
 
+    /// The pictures of a page, if one is asked for.
+    fn shown(
+        &self,
+        figures: impl FnOnce() -> Result<Figures, DrawError>,
+    ) -> Result<Option<Figures>, Failure> {
+        Ok(self.arguments.output.report.as_ref().map(|_| figures()).transpose()?)
+    }
+
     fn answer(
         &self,
         report: AnalysisReport<'_>,
-        picture: Picture,
-        meshes: Vec<PathBuf>,
+        Shown { picture, figures, meshes }: Shown,
     ) -> Result<Answer, Failure> {
         let output = &self.arguments.output;
         let words = |paint| AnalysisText { name: self.document.name(), report: &report, paint };
@@ -171,9 +192,9 @@ impl<'a> Question<'a> {
             Format::Json => report::json(&report)?,
         };
         let mut page = None;
-        if output.report.is_some() {
+        if let Some(figures) = &figures {
             let inputs = Inputs { texts: &[self.document.source()], others: &meshes };
-            page = Some(html::of_analysis(&words(Paint::Plain), &picture.figures()?, inputs));
+            page = Some(html::of_analysis(&words(Paint::Plain), figures, inputs)?);
         }
         let failed = report.verdict.filter(|verdict| self.arguments.check && !verdict.passes);
         let failed_check = failed.map(|verdict| verdict.reasons.join("; "));

@@ -19,6 +19,16 @@ pub enum Input {
     FingerNormal,
     /// The radius of a finger.
     FingerRadius,
+    /// The force of a finger.
+    FingerForce,
+    /// A principal direction.
+    Direction,
+    /// A corner of the part as a load has moved it, or the motion of a solid.
+    Displaced,
+    /// The point where a load acts.
+    LoadPoint,
+    /// The direction of a load.
+    LoadDirection,
     /// The radius of a part's boundary.
     PartRadius,
     /// The overlap of a contact.
@@ -76,6 +86,11 @@ impl fmt::Display for Input {
             Self::FingerPoint => f.write_str("finger point"),
             Self::FingerNormal => f.write_str("finger normal"),
             Self::FingerRadius => f.write_str("finger radius"),
+            Self::FingerForce => f.write_str("finger force"),
+            Self::Direction => f.write_str("principal direction"),
+            Self::Displaced => f.write_str("displaced part"),
+            Self::LoadPoint => f.write_str("load point"),
+            Self::LoadDirection => f.write_str("load direction"),
             Self::PartRadius => f.write_str("part radius"),
             Self::Overlap => f.write_str("overlap"),
             Self::HalfWidth => f.write_str("half width of the contact"),

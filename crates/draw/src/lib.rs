@@ -65,6 +65,7 @@ mod text;
 mod ticks;
 
 mod error;
+mod exaggeration;
 mod number;
 mod view;
 mod world_map;
@@ -73,9 +74,13 @@ pub use chart::{Band, Chart, ChartAxis, ChartMark, Curve, LineStyle, Tick, Veil}
 pub use contact::ContactPicture;
 pub use energy::{EnergyEllipsoids, EnergySpace};
 pub use error::{DrawError, Input};
+pub use exaggeration::exaggeration;
 pub use figure::Figure;
-pub use grasp::{Finger, GraspPicture, Mark, Region, Way};
+pub use grasp::{Direction, Displaced, Finger, GraspPicture, Load, Mark, Region, Way};
 pub use paint::Color;
 #[cfg(feature = "png")]
 pub use png::RASTER_LIMIT;
-pub use solid::{SolidAxis, SolidFace, SolidFinger, SolidMark, SolidPicture, SolidWorst};
+pub use solid::{
+    SolidAxis, SolidDisplaced, SolidFace, SolidFinger, SolidLoad, SolidMark, SolidPicture,
+    SolidWorst,
+};

@@ -8,13 +8,14 @@ use std::ops::ControlFlow;
 use std::path::PathBuf;
 
 use clench::optimize::{Effort, OptimizeError, Progress};
+use clench_draw::DrawError;
 
 use crate::answer::Answer;
 use crate::arguments::{Format, ObjectiveArgument, OptimizeArguments};
 use crate::failure::Failure;
 use crate::input::{self, Document, TouchablePart, schema};
 use crate::interrupt::Interrupt;
-use crate::picture::Picture;
+use crate::picture::{Figures, Picture};
 use crate::progress::ProgressLine;
 use crate::report::html::{self, Inputs, Source};
 use crate::report::{
@@ -26,6 +27,8 @@ pub(crate) use found::{Found, Held, On, OutOfRange};
 /// What a report shows besides its words, and what it was made from.
 struct Shown {
     picture: Picture,
+    /// The pictures of a page, if one is asked for.
+    figures: Option<Figures>,
     /// The files of the command line.
     texts: Vec<Source>,
     /// The files that these name.
@@ -129,20 +132,28 @@ fn out_of_range(name: &str) -> impl Fn(OutOfRange) -> Failure {
     |error| Failure::Range { name: name.to_owned(), source: Box::new(error) }
 }
 
+/// The pictures of a page, if one is asked for.
+fn drawn(
+    arguments: &OptimizeArguments,
+    figures: impl FnOnce() -> Result<Figures, DrawError>,
+) -> Result<Option<Figures>, Failure> {
+    Ok(arguments.output.report.as_ref().map(|_| figures()).transpose()?)
+}
+
 /// The answer with the best placement.
 fn answered(
     arguments: &OptimizeArguments,
     words: &OptimumText<'_>,
-    Shown { picture, texts, meshes }: Shown,
+    Shown { picture, figures, texts, meshes }: Shown,
 ) -> Result<Answer, Failure> {
     let text = match arguments.output.format {
         Format::Text => words.to_string(),
         Format::Json => report::json(words.report)?,
     };
     let mut page = None;
-    if arguments.output.report.is_some() {
+    if let Some(figures) = &figures {
         let inputs = Inputs { texts: &texts, others: &meshes };
-        page = Some(html::of_optimum(words, &picture.figures()?, inputs));
+        page = Some(html::of_optimum(words, figures, inputs)?);
     }
     Ok(Answer { report: text, page, picture, meshes, reason: None, failed_check: None })
 }

@@ -11,7 +11,7 @@ use crate::answer::Answer;
 use crate::arguments::OptimizeArguments;
 use crate::failure::Failure;
 use crate::input::{self, Document, Finite, schema};
-use crate::picture::{self, Picture};
+use crate::picture::{self, Figures, Picture};
 use crate::report::{OptimumReport, OptimumText, PlacementReport, Question, Subject};
 
 /// Runs the command on an outline.
@@ -33,7 +33,8 @@ pub(super) fn optimize(
         Ok(outcome) => outcome,
         Err(error) if super::is_unanswered(&error) => {
             let picture = Picture::Outline(picture::of_outline(part.outline()));
-            let shown = Shown { picture, texts: Vec::new(), meshes: Vec::new() };
+            let (texts, meshes) = (Vec::new(), Vec::new());
+            let shown = Shown { picture, figures: None, texts, meshes };
             return super::unanswered(arguments, &question, &error, shown);
         }
         Err(error) => return Err(super::refused(document.name(), error)),
@@ -46,8 +47,11 @@ pub(super) fn optimize(
     let placements = placement(&outcome.best).and_then(|best| Ok((best, others?)));
     let placements = placements.map_err(super::out_of_range(document.name()))?;
     let report = OptimumReport::new(&question, &outcome, placements);
-    let picture = Picture::Outline(picture::of_optimum(&report, &part));
-    let shown = Shown { picture, texts: vec![document.source()], meshes: Vec::new() };
+    let picture = picture::of_optimum(&report, &part);
+    let figures =
+        super::drawn(arguments, || Figures::of_optimum(&report, &outcome.best, &picture))?;
+    let (picture, texts) = (Picture::Outline(picture), vec![document.source()]);
+    let shown = Shown { picture, figures, texts, meshes: Vec::new() };
     let subject = Subject::Outline(&part);
     let words = OptimumText { name: document.name(), subject, report: &report };
     super::answered(arguments, &words, shown)

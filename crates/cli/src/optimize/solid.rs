@@ -14,7 +14,7 @@ use crate::arguments::OptimizeArguments;
 use crate::failure::Failure;
 use crate::input::schema::{self, File};
 use crate::input::{self, Body, Document, GivenContact, Holder, Solid};
-use crate::picture::{self, Picture};
+use crate::picture::{self, Figures, Picture};
 use crate::report::html::Source;
 use crate::report::{OptimumReport, OptimumText, PlacementReport, Question, SolidSubject, Subject};
 
@@ -62,7 +62,7 @@ pub(super) fn optimize(
         Err(error) if super::is_unanswered(&error) => {
             let fixed: Vec<Touch> = task.fixed.iter().map(GivenContact::touch).collect();
             let picture = Picture::Solid(picture::of_solid(&body.shape, &fixed));
-            let shown = Shown { picture, texts: Vec::new(), meshes };
+            let shown = Shown { picture, figures: None, texts: Vec::new(), meshes };
             return super::unanswered(arguments, &question, &error, shown);
         }
         Err(error) => return Err(super::refused(document.name(), error)),
@@ -75,7 +75,8 @@ pub(super) fn optimize(
     let placements = placement(&outcome.best).and_then(|best| Ok((best, others?)));
     let placements = placements.map_err(super::out_of_range(document.name()))?;
     let report = OptimumReport::new(&question, &outcome, placements);
-    let picture = Picture::Solid(picture::of_optimum_on_solid(&report, &outcome.best, &body.shape));
+    let picture = picture::of_optimum_on_solid(&report, &outcome.best, &body.shape);
+    let figures = super::drawn(arguments, || Figures::of_optimum_on_solid(&report, &picture))?;
     let subject = Subject::Solid(SolidSubject {
         solid: &body.shape.polyhedron,
         places: match &task.places {
@@ -87,7 +88,8 @@ pub(super) fn optimize(
     });
     let texts = std::iter::once(document.source()).chain(task.given).collect();
     let words = OptimumText { name: document.name(), subject, report: &report };
-    super::answered(arguments, &words, Shown { picture, texts, meshes })
+    let picture = Picture::Solid(picture);
+    super::answered(arguments, &words, Shown { picture, figures, texts, meshes })
 }
 
 /// Names the mesh as it is found from the current folder, where a report is likely to be read.

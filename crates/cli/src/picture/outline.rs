@@ -59,6 +59,7 @@ pub(crate) fn of_optimum(report: &OptimumReport<'_>, part: &Part) -> GraspPictur
         radius: question.finger_radius,
         label: finger_name(i),
         preload: question.total_preload.map_or(String::new(), |_| units.force(contact.preload)),
+        ..Finger::default()
     });
     let mut picture = of_outline(part.outline());
     if let Some(OptimumInPlane { center_of_compliance, reach }) = &best.in_plane {
@@ -133,6 +134,7 @@ pub(crate) fn of_analysis(analysis: &Analysis<'_, 2, 1>, shape: &PlanarShape) ->
         } else {
             String::new()
         },
+        ..Finger::default()
     });
     picture.fingers = fingers.collect();
     let points = contacts.iter().map(|contact| contact.overlap().point().to_array());

@@ -30,8 +30,13 @@ fn assert_sound(page: &str) {
     assert!(page.contains("content=\"default-src 'none';"), "{}", &page[..400]);
     // Names of namespaces are no addresses.
     let rest = page.replace("http://www.w3.org/2000/svg", "");
-    for asking in ["http:", "https:", "src=", "@import", "url(", "<link", "<iframe", "<object"] {
+    let rest = rest.replace("http://www.w3.org/1999/xhtml", "");
+    let scripts = rest.find("<script").unwrap_or(rest.len());
+    for asking in ["http:", "https:", "@import", "<link", "<iframe", "<object"] {
         assert!(!rest.contains(asking), "{asking} is on the page");
+    }
+    for asking in ["src=", "url("] {
+        assert!(!rest[..scripts].contains(asking), "{asking} is on the page");
     }
 }
 
@@ -69,7 +74,15 @@ fn a_grasp_is_on_the_page_with_its_load_cases() {
     for number in ["0.0104687", "1.64995", "361.999"] {
         assert!(text.contains(number) && page.contains(number), "{number}");
     }
-    assert_says(&page, &["load case 0 (milling)", "<td>bore</td>", "the part turns by"]);
+    assert_says(
+        &page,
+        &[
+            "load case 0 (milling)",
+            "displacement drawn 200 times as large",
+            "<td>bore</td>",
+            "the part turns by",
+        ],
+    );
 }
 
 #[test]
@@ -84,6 +97,61 @@ fn nothing_of_a_file_is_taken_for_markup() {
         assert!(!page.contains(markup), "{markup} is on the page");
     }
     assert_says(&page, &["<h1>grasp&lt;img&gt;.toml</h1>", "&lt;script&gt;alert("]);
+}
+
+/// A cube held by seven balls, with two load cases.
+fn cube() -> String {
+    let file =
+        fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/../../parts/cube-grasp.toml"));
+    file.unwrap()
+}
+
+#[test]
+fn a_solid_has_a_view_that_turns_and_a_picture_for_print() {
+    let folder = Folder::new("page-solid");
+    folder.write("cube.toml", cube());
+    let page = page(&folder, "analyze cube.toml");
+    assert_sound(&page);
+    let scene = page.split("<script id=\"scene\" type=\"application/json\">").nth(1).unwrap();
+    let scene = scene.split("</script>").next().unwrap();
+    let scene: clench_testkit::cases::Value = scene.parse().unwrap();
+    // Eight corners, two triangles a side, and what holds them.
+    let count = |key: &str| scene[key].as_array().unwrap().len();
+    let counts = ["positions", "triangles", "fingers", "axes", "cases"].map(count);
+    assert_eq!(counts, [24, 36, 7, 3, 2]);
+    assert_says(&page, &["<canvas", "displacement drawn 2000 times as large", "<svg"]);
+    assert!(page.matches("<svg").count() == 3, "one picture at rest and one of each load case");
+}
+
+#[test]
+fn a_scene_is_not_broken_by_names() {
+    let folder = Folder::new("page-hostile-solid");
+    let units = format!("force = \"{HOSTILE}\"");
+    let file =
+        cube().replace("force = \"N\"", &units).replace("\"drilling\"", &format!("{HOSTILE:?}"));
+    assert!(file.contains(HOSTILE));
+    // Names of materials would need units of known size.
+    let lines = file.lines().filter(|line| !line.starts_with("law"));
+    let file = lines.collect::<Vec<_>>().join("\n");
+    let file = file.replace("[part.spatial]", "[part.spatial]\nstiffness = 3e4");
+    folder.write("cube.toml", file);
+    let page = page(&folder, "analyze cube.toml");
+    for markup in ["<img", "<script>alert", "</script></pre>", "<!--"] {
+        assert!(!page.contains(markup), "{markup} is on the page");
+    }
+    // The scene and the two scripts of the page itself.
+    assert_eq!((page.matches("<script").count(), page.matches("</script").count()), (3, 3));
+}
+
+#[test]
+fn the_best_placements_have_small_pictures() {
+    let folder = Folder::new("page-top");
+    folder.write("part.toml", part(QUADRILATERAL, "1"));
+    let page = page(&folder, "optimize part.toml --fingers 4 --top 3");
+    assert_eq!(page.matches("<svg").count(), 4);
+    assert_says(&page, &["1: <i>Q</i> = 1.68377 F/L", "2: <i>Q</i>", "3: <i>Q</i>"]);
+    // Well below 100 kB.
+    assert!(page.len() < 50_000, "{}", page.len());
 }
 
 #[test]

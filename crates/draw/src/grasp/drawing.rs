@@ -19,6 +19,9 @@ pub(crate) const PLOT: PageBox = PageBox { min: [0.0, 0.0], max: [440.0, 380.0] 
 pub(crate) const WEDGE: [f64; 2] = [30.0, 7.0];
 const FORCE: f64 = 30.0;
 
+/// The length of the arrow of the largest force, where forces are given.
+const LARGEST_FORCE: f64 = 48.0;
+
 /// Depth and half-width of the pad that stands for a finger too large to show, and the
 /// number of straight pieces in half a disc.
 pub(crate) const PAD: [f64; 2] = [24.0, 26.0];
@@ -55,15 +58,19 @@ pub(crate) fn draw(picture: &GraspPicture, plot: PageBox) -> Result<Figure, Draw
     drawing.lines_of_action();
     drawing.reach();
     drawing.ways();
+    drawing.displaced();
     drawing.outline();
     for finger in &picture.fingers {
         drawing.finger(finger);
     }
+    drawing.directions();
     drawing.center_mark();
+    drawing.loads();
     drawing.finger_labels();
     drawing.avoid_fingers();
     drawing.corner_labels();
     drawing.mark_labels();
+    drawing.direction_labels();
     caption::write(&mut drawing.figure, &picture.caption);
     caption::heading(&mut drawing.figure, picture.title.as_deref());
     Ok(drawing.figure)
@@ -175,9 +182,16 @@ impl Drawing<'_> {
         self.figure.polygon(&shape, &paint);
         let page = self.on_page(&shape);
         self.labels.avoid_ring(&page, Weight::Hard);
-        let tip = finger.offset(self.figure.world_length(FORCE), 0.0);
+        let tip = finger.offset(self.figure.world_length(self.arrow_length(finger)), 0.0);
         self.figure.arrow(finger.point, tip, Stroke::solid(Color::BLUE, 1.6));
         self.figure.disc(finger.point, 2.6, &Paint::fill(Color::INK));
+    }
+
+    /// The length of the arrow of a finger's force, in page units.
+    fn arrow_length(&self, finger: &Finger) -> f64 {
+        let fingers = self.picture.fingers.iter();
+        let largest = fingers.map(|finger| finger.force).fold(0.0, f64::max);
+        if largest > 0.0 { LARGEST_FORCE * (finger.force / largest).max(0.0) } else { FORCE }
     }
 
     /// A wedge, a disc, or for a disc that would dwarf the part a pad with its curvature.
@@ -235,11 +249,11 @@ impl Drawing<'_> {
         }
     }
 
-    fn on_page(&self, points: &[[f64; 2]]) -> Vec<[f64; 2]> {
+    pub(crate) fn on_page(&self, points: &[[f64; 2]]) -> Vec<[f64; 2]> {
         points.iter().map(|&point| self.figure.to_page(point)).collect()
     }
 
-    fn avoid(&mut self, from: [f64; 2], to: [f64; 2], weight: Weight) {
+    pub(crate) fn avoid(&mut self, from: [f64; 2], to: [f64; 2], weight: Weight) {
         let (from, to) = (self.figure.to_page(from), self.figure.to_page(to));
         self.labels.avoid_line(from, to, weight);
     }

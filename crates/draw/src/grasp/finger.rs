@@ -12,6 +12,9 @@ pub struct Finger {
     pub inward_normal: [f64; 2],
     /// The radius of a disc finger in world units; 0 for a pointed one.
     pub radius: f64,
+    /// How hard it presses, in any unit: arrows are in proportion where a force is given, and all
+    /// of one length where none is.
+    pub force: f64,
     /// Its name; `_{…}` lowers and `^{…}` raises. Empty for none.
     pub label: String,
     /// Its preload, shown after the name in the same blue. Empty for none.
@@ -27,6 +30,7 @@ impl Finger {
             finite(value, Input::FingerNormal, index)?;
         }
         finite(self.radius, Input::FingerRadius, index)?;
+        finite(self.force, Input::FingerForce, index)?;
         if self.radius < 0.0 {
             return Err(DrawError::NegativeRadius { finger: index, radius: self.radius });
         }

@@ -3,14 +3,16 @@
 mod drawing;
 mod finger;
 mod labels;
+mod overlay;
 
 use crate::error::{DrawError, Input};
 use crate::figure::Figure;
 use crate::page_box::PageBox;
 use crate::paint::Color;
-use crate::world_map::{WorldMap, finite};
+use crate::world_map::{UNSEEN, WorldMap, finite};
 
 pub use finger::Finger;
+pub use overlay::{Direction, Displaced, Load};
 
 /// A named point.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -82,6 +84,12 @@ pub struct GraspPicture {
     pub regions: Vec<Region>,
     /// Lines with an arrow, under fingers and marks.
     pub ways: Vec<Way>,
+    /// Double arrows through the center, such as the principal directions.
+    pub directions: Vec<Direction>,
+    /// The part as a load has moved it.
+    pub displaced: Option<Displaced>,
+    /// Forces from outside.
+    pub loads: Vec<Load>,
     /// Further dots with names.
     pub notes: Vec<Mark>,
     /// Lines of text beside the part, or below one that is wide.
@@ -141,6 +149,13 @@ impl GraspPicture {
         for (index, note) in self.notes.iter().enumerate() {
             point(note.point, Input::Note, index)?;
         }
+        for (index, Direction { along, .. }) in self.directions.iter().enumerate() {
+            unit(*along, Input::Direction, index)?;
+        }
+        for (index, Load { point: at, along, .. }) in self.loads.iter().enumerate() {
+            point(*at, Input::LoadPoint, index)?;
+            unit(*along, Input::LoadDirection, index)?;
+        }
         if let Some(center) = &self.center {
             point(center.point, Input::Center, 0)?;
         }
@@ -173,6 +188,12 @@ impl GraspPicture {
         for (index, note) in self.notes.iter().enumerate() {
             map.check(note.point, Input::Note, index)?;
         }
+        for (index, load) in self.loads.iter().enumerate() {
+            map.check(load.point, Input::LoadPoint, index)?;
+        }
+        if let Some(displaced) = &self.displaced {
+            displaced.check(&self.loops().collect::<Vec<_>>().concat(), map)?;
+        }
         self.farthest_corner.map_or(Ok(()), |at| map.check(at, Input::FarthestCorner, 0))
     }
 }
@@ -186,4 +207,13 @@ fn points(all: &[[f64; 2]], needed: usize, input: Input) -> Result<(), DrawError
 
 fn point(at: [f64; 2], input: Input, index: usize) -> Result<(), DrawError> {
     at.into_iter().try_for_each(|value| finite(value, input, index).map(|_| ()))
+}
+
+/// Refuses a direction that is not of length 1.
+fn unit(along: [f64; 2], input: Input, index: usize) -> Result<(), DrawError> {
+    point(along, input, index)?;
+    if (along[0].hypot(along[1]) - 1.0).abs() > UNSEEN {
+        return Err(DrawError::NoDirection { input, index });
+    }
+    Ok(())
 }

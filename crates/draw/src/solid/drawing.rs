@@ -72,11 +72,13 @@ pub(crate) fn draw(picture: &SolidPicture) -> Result<Figure, DrawError> {
     drawing.set_up_cones();
     let covered = drawing.faces();
     drawing.edges(&covered);
+    drawing.displaced();
     drawing.axes();
     drawing.fingers_in_front(&covered);
     drawing.hidden_finger_lines();
     drawing.center();
     drawing.worst_point();
+    drawing.loads();
     drawing.finger_labels();
     drawing.mark_labels();
     triad::draw(&mut drawing);

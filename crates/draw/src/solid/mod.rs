@@ -1,6 +1,7 @@
 //! A solid with the fingers that hold it, seen in space.
 
 mod choose;
+mod displaced;
 mod drawing;
 mod edges;
 mod finger;
@@ -15,7 +16,10 @@ use clench_screw::Vector;
 
 use crate::error::{DrawError, Input};
 use crate::figure::Figure;
+use crate::solid::scene::PartFrame;
 use crate::world_map::{UNSEEN, finite};
+
+pub use displaced::{SolidDisplaced, SolidLoad};
 
 /// A solid with the fingers that hold it, as plain numbers, drawn by [`SolidPicture::figure`].
 ///
@@ -69,6 +73,10 @@ pub struct SolidPicture {
     pub center: Option<SolidMark>,
     /// The point that gives way most.
     pub worst_point: Option<SolidWorst>,
+    /// The part as a load has moved it.
+    pub displaced: Option<SolidDisplaced>,
+    /// Forces from outside.
+    pub loads: Vec<SolidLoad>,
     /// From the part towards the viewer, of any length; chosen by the picture if left out, so
     /// that many faces and fingers are in sight and none is seen along itself.
     pub view: Option<[f64; 3]>,
@@ -149,6 +157,15 @@ impl SolidPicture {
         drawing::draw(self)
     }
 
+    /// The unit direction towards the viewer that the picture has, or chooses.
+    ///
+    /// # Errors
+    /// Those of [`Self::figure`], but [`DrawError::OffPage`].
+    pub fn seen_from(&self) -> Result<[f64; 3], DrawError> {
+        self.check()?;
+        Ok(choose::eye(self, PartFrame::new(&self.faces)?).to_array())
+    }
+
     fn check(&self) -> Result<(), DrawError> {
         if self.faces.is_empty() {
             return Err(DrawError::NoFaces);
@@ -159,6 +176,8 @@ impl SolidPicture {
             all_finite(axis.point, Input::AxisPoint, index)?;
             direction(axis.direction, Input::AxisDirection, index)?;
         }
+        self.displaced.iter().try_for_each(SolidDisplaced::check)?;
+        self.loads.iter().enumerate().try_for_each(|(index, load)| load.check(index))?;
         if let Some(center) = &self.center {
             all_finite(center.point, Input::Center, 0)?;
         }

@@ -76,6 +76,11 @@ impl Scene {
         scene
     }
 
+    /// Another part, seen in the same way.
+    pub(crate) fn seen_as(picture: &SolidPicture, other: &Self) -> Self {
+        Self::new(picture, other.frame, other.view.eye)
+    }
+
     /// Where a point of the caller is.
     pub(crate) fn point(&self, point: [f64; 3]) -> Vector<3> {
         self.view.in_view(self.frame.place(point)).into()

@@ -57,6 +57,9 @@ fn a_grasp_picture_refuses_what_is_not_a_grasp() {
     let negative = DrawError::NegativeRadius { finger: 0, radius: -1.0 };
     assert_eq!(fault(&|p| p.fingers[0].radius = -1.0), Some(negative));
     assert_eq!(fault(&|p| p.center = None), Some(DrawError::ReachWithoutCenter));
+    let none = |input| Some(DrawError::NoDirection { input, index: 0 });
+    assert_eq!(fault(&|p| p.directions[0].along = [0.0, 2.0]), none(Input::Direction));
+    assert_eq!(fault(&|p| p.loads[0].along = [0.0; 2]), none(Input::LoadDirection));
 }
 
 #[test]
@@ -73,6 +76,9 @@ fn a_grasp_picture_refuses_what_no_page_can_show() {
     assert_eq!(fault(&|p| p.farthest_corner = Some(far)), (Input::FarthestCorner, 0));
     assert_eq!(fault(&|p| p.ways[0].points[1] = far), (Input::Way(0), 1));
     assert_eq!(fault(&|p| p.notes[0].point = far), (Input::Note, 0));
+    assert_eq!(fault(&|p| p.loads[0].point = far), (Input::LoadPoint, 0));
+    let throw = |p: &mut GraspPicture| p.displaced.iter_mut().for_each(|d| d.shifts[2] = far);
+    assert_eq!(fault(&throw), (Input::Displaced, 2));
     assert_eq!(fault(&|p| p.regions[0].corners[2] = far), (Input::Region(0), 2));
     let mut wide = grasp(1.0);
     (wide.outline[0][1], wide.outline[2][1]) = (-1.7e308, 1.7e308);

@@ -4,6 +4,7 @@
 mod chart;
 mod contact;
 mod limits;
+mod loaded;
 mod paper;
 #[cfg(feature = "png")]
 mod png;

@@ -1,6 +1,9 @@
 //! The grasp of the paper's Figures 1 and 2.
 
-use clench_draw::{Color, EnergyEllipsoids, EnergySpace, Finger, GraspPicture, Mark, Region, Way};
+use clench_draw::{
+    Color, Direction, Displaced, EnergyEllipsoids, EnergySpace, Finger, GraspPicture, Load, Mark,
+    Region, Way,
+};
 
 pub(crate) const OUTLINE: [[f64; 2]; 4] = [[0.0, 0.0], [13.0, 0.0], [9.0, 8.0], [2.0, 6.0]];
 pub(crate) const CENTER: [f64; 2] = [80.0 / 13.0, 72.0 / 13.0];
@@ -62,6 +65,7 @@ pub(crate) fn grasp(unit: f64) -> GraspPicture {
                 radius: [0.0, 0.3, 0.9, 50.0][i] * unit,
                 label: format!("{}", i + 1),
                 preload: if i == 2 { String::new() } else { "2.5 N".into() },
+                force: i as f64,
             })
             .collect(),
         center: Some(Mark { point: scaled(CENTER), label: "c".into() }),
@@ -74,6 +78,12 @@ pub(crate) fn grasp(unit: f64) -> GraspPicture {
             points: [[2.0, 1.0], [8.0, 1.5], [8.0, 3.0]].map(scaled).to_vec(),
             color: Color::ORANGE,
         }],
+        directions: vec![Direction { along: [0.6, 0.8], label: "σ_{min}".into() }],
+        displaced: Some(Displaced {
+            shifts: [[0.0, 0.01], [0.0, 0.03], [-0.01, 0.02], [-0.01, 0.01]].map(scaled).to_vec(),
+            exaggeration: 20.0,
+        }),
+        loads: vec![Load { point: scaled([9.0, 4.0]), along: [-1.0, 0.0], label: "3 N".into() }],
         notes: vec![Mark { point: scaled([10.0, 1.0]), label: "note".into() }],
         caption: vec!["σ_{min} = 1.684".into(), "Q = 1.114".into()],
     }

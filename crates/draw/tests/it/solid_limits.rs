@@ -1,6 +1,6 @@
 //! Solids that are refused, each fault with its error, and extreme ones that are drawn.
 
-use clench_draw::{DrawError, Input, SolidPicture};
+use clench_draw::{DrawError, Input, SolidDisplaced, SolidLoad, SolidPicture};
 
 use crate::limits::not_finite;
 use crate::solids::{held_bracket, scaled};
@@ -34,6 +34,11 @@ fn a_solid_says_which_field_is_not_finite() {
     let sway = |p: &mut SolidPicture| p.worst_point.iter_mut().for_each(|w| w.direction = bad);
     assert_eq!(at(&sway), (Input::WorstDirection, 0));
     assert_eq!(at(&|p| p.view = Some(bad)), (Input::View, 0));
+    let push = |point, along| vec![SolidLoad { point, along, label: String::new() }];
+    assert_eq!(at(&|p| p.loads = push(bad, [1.0; 3])), (Input::LoadPoint, 0));
+    assert_eq!(at(&|p| p.loads = push([1.0; 3], bad)), (Input::LoadDirection, 0));
+    let moved = |translation| Some(SolidDisplaced { translation, ..SolidDisplaced::default() });
+    assert_eq!(at(&|p| p.displaced = moved(bad)), (Input::Displaced, 0));
 }
 
 #[test]

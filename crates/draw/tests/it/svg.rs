@@ -152,7 +152,7 @@ pub(crate) fn apart(p: [f64; 4], q: [f64; 4]) -> bool {
 #[test]
 fn labels_of_fingers_at_corners_do_not_cover_one_another() -> Result<(), DrawError> {
     let boxes = labels(&grasp(1.0).figure()?.to_svg());
-    assert_eq!(boxes.len(), 10, "{boxes:?}");
+    assert_eq!(boxes.len(), 12, "{boxes:?}");
     for (i, (a, p)) in boxes.iter().enumerate() {
         for (b, q) in &boxes[..i] {
             assert!(apart(*p, *q), "{a} {p:?} and {b} {q:?}");

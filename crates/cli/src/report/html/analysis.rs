@@ -3,19 +3,23 @@
 use maud::{Markup, PreEscaped, html};
 
 use super::inputs::Inputs;
+use super::legend;
 use super::page::table;
 use super::sheet::{Headline, Section, Sheet, Tone};
-use crate::picture::Figures;
+use super::viewer;
+use crate::failure::Failure;
+use crate::picture::{Figures, Scene};
 use crate::report::analysis_text::AnalysisText;
 use crate::report::load_case::LoadCaseReport;
 use crate::report::page::Page;
+use crate::wording::digits;
 
 /// The page on the grasp of `text`.
 pub(crate) fn of_analysis(
     text: &AnalysisText<'_>,
     figures: &Figures,
     inputs: Inputs<'_>,
-) -> String {
+) -> Result<String, Failure> {
     let report = text.report;
     let set = |write: &dyn Fn(&mut Page)| {
         let mut page = Page::default();
@@ -34,23 +38,25 @@ pub(crate) fn of_analysis(
     };
     let sections = [
         Section::filled("Grasp", grasp(text, figures)),
-        Section::filled("Load cases", load_cases(text)),
+        Section::filled("Load cases", load_cases(text, figures)),
         Section::filled("Contacts", set(&contacts)),
         Section::filled("Stiffness", set(&numbers)),
         Section::filled("Stiffness matrix", set(&|page| text.stiffness(page))),
     ];
     let mut facts = Page::default();
     text.facts(&mut facts);
-    Sheet {
+    let scene = figures.scene.as_ref().map(Scene::json).transpose()?;
+    let sheet = Sheet {
         title: text.name,
         units: text.units().to_string(),
         headline: headline(text),
         warnings: report.warnings.clone(),
         facts,
         sections: sections.into_iter().flatten().collect(),
+        scene,
         inputs,
-    }
-    .document()
+    };
+    Ok(sheet.document())
 }
 
 fn headline(text: &AnalysisText<'_>) -> Option<Headline> {
@@ -71,22 +77,40 @@ fn headline(text: &AnalysisText<'_>) -> Option<Headline> {
 }
 
 fn grasp(text: &AnalysisText<'_>, figures: &Figures) -> Markup {
+    let cases = text.report.load_cases.iter().zip(&figures.cases).enumerate();
+    let cases: Vec<_> = cases
+        .map(|(i, (case, figure))| format!("{}, {}", case.title(i), drawn(figure.exaggeration)))
+        .collect();
     let turned = !text.report.frame.is_of_file();
-    html! {
-        figure {
-            (PreEscaped(&figures.grasp))
-            @if turned { figcaption { "The picture is in the frame of the file." } }
-        }
-    }
+    let caption = html! {
+        (legend::grasp(text.planar(), text.report.metrics.is_some()))
+        @if turned { " The picture is in the frame of the file." }
+    };
+    viewer::figure(figures, &cases, &caption)
+}
+
+/// How the displacement of a load case is drawn.
+fn drawn(exaggeration: Option<f64>) -> String {
+    exaggeration.map_or_else(
+        || "nothing moves".to_owned(),
+        |times| format!("displacement drawn {} times as large", digits(times)),
+    )
 }
 
 /// All load cases in a table, and each by itself.
-fn load_cases(text: &AnalysisText<'_>) -> Markup {
+fn load_cases(text: &AnalysisText<'_>, figures: &Figures) -> Markup {
     let cases = &text.report.load_cases;
     html! {
         @if !cases.is_empty() { (table(&text.load_case_rows())) }
-        @for (number, case) in cases.iter().enumerate() {
+        @for (number, (case, figure)) in cases.iter().zip(&figures.cases).enumerate() {
             h3 { (case.title(number)) }
+            figure {
+                (PreEscaped(&figure.svg))
+                figcaption {
+                    "Orange: the part under the load, " (drawn(figure.exaggeration))
+                    ". Purple: the force. " (legend::forces(text.planar()))
+                }
+            }
             (one(text, number, case))
         }
     }

@@ -5,10 +5,12 @@
 
 mod analysis;
 mod inputs;
+mod legend;
 mod optimum;
 mod page;
 mod sheet;
 mod typeset;
+mod viewer;
 
 pub(crate) use analysis::of_analysis;
 pub(crate) use inputs::{Inputs, Source};

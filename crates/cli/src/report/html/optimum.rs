@@ -1,17 +1,25 @@
 //! The page on the best placements.
 
-use maud::{PreEscaped, html};
+use maud::{Markup, PreEscaped, html};
 
 use super::inputs::Inputs;
+use super::legend;
 use super::sheet::{Headline, Section, Sheet, Tone};
-use crate::picture::Figures;
+use super::typeset::typeset;
+use super::viewer;
+use crate::failure::Failure;
+use crate::picture::{Figures, Scene};
 use crate::report::optimum_text::OptimumText;
 use crate::report::page::{Line, Page};
 use crate::report::words::{EndWord, ObjectiveWord};
 use crate::wording::rough_digits;
 
 /// The page on the placements of `text`.
-pub(crate) fn of_optimum(text: &OptimumText<'_>, figures: &Figures, inputs: Inputs<'_>) -> String {
+pub(crate) fn of_optimum(
+    text: &OptimumText<'_>,
+    figures: &Figures,
+    inputs: Inputs<'_>,
+) -> Result<String, Failure> {
     let set = |write: &dyn Fn(&mut Page)| {
         let mut page = Page::default();
         write(&mut page);
@@ -22,30 +30,55 @@ pub(crate) fn of_optimum(text: &OptimumText<'_>, figures: &Figures, inputs: Inpu
         text.conditions(page);
         text.ties(page);
     };
-    let top = |page: &mut Page| {
-        if !text.report.top.is_empty() {
-            text.top(page);
-        }
-    };
+    let planar = text.report.best.in_plane.is_some();
+    let placement = viewer::figure(figures, &[], &legend::grasp(planar, true));
     let sections = [
-        Section::filled("Placement", html!(figure { (PreEscaped(&figures.grasp)) })),
+        Section::filled("Placement", placement),
         Section::filled("Certificate", set(&certificate)),
         Section::filled("Fingers", set(&|page| text.fingers(page))),
         Section::filled("Stiffness", set(&|page| text.metrics(page))),
-        Section::filled("Ranking", set(&top)),
+        Section::filled("Ranking", ranking(text, figures)),
     ];
     let mut facts = Page::default();
     text.facts(&mut facts);
-    Sheet {
+    let scene = figures.scene.as_ref().map(Scene::json).transpose()?;
+    let sheet = Sheet {
         title: text.name,
         units: text.units().to_string(),
         headline: Some(headline(text)),
         warnings: warnings(text),
         facts,
         sections: sections.into_iter().flatten().collect(),
+        scene,
         inputs,
+    };
+    Ok(sheet.document())
+}
+
+/// The best combinations, in a table and in small pictures.
+fn ranking(text: &OptimumText<'_>, figures: &Figures) -> Markup {
+    if text.report.top.is_empty() {
+        return html!();
     }
-    .document()
+    let mut page = Page::default();
+    text.top(&mut page);
+    let objective = text.report.question.objective;
+    let value = |i: usize| {
+        let placement = text.report.top.get(i)?;
+        let value = text.units().stiffness(placement.value(objective));
+        Some(format!("{}: {objective} = {value}", i + 1))
+    };
+    html! {
+        (page)
+        div.places {
+            @for (i, picture) in figures.places.iter().enumerate() {
+                figure {
+                    (PreEscaped(picture))
+                    figcaption { @if let Some(value) = value(i) { (typeset(&value)) } }
+                }
+            }
+        }
+    }
 }
 
 /// What was maximized, and what is proved of it.

@@ -4,6 +4,7 @@ use maud::{DOCTYPE, Markup, PreEscaped, html};
 
 use super::inputs::Inputs;
 use super::typeset::typeset;
+use super::viewer;
 use crate::report::page::Page;
 
 const STYLE: &str = include_str!("style.css");
@@ -45,6 +46,8 @@ pub(super) struct Sheet<'a> {
     pub(super) warnings: Vec<String>,
     pub(super) facts: Page,
     pub(super) sections: Vec<Section>,
+    /// What the view of a solid shows, as JSON.
+    pub(super) scene: Option<String>,
     pub(super) inputs: Inputs<'a>,
 }
 
@@ -68,12 +71,13 @@ impl Section {
 impl Sheet<'_> {
     /// The whole page.
     pub(super) fn document(&self) -> String {
+        let policy = if self.scene.is_some() { viewer::POLICY } else { POLICY };
         let markup = html! {
             (DOCTYPE)
             html lang="en" {
                 head {
                     meta charset="utf-8";
-                    meta http-equiv="Content-Security-Policy" content=(POLICY);
+                    meta http-equiv="Content-Security-Policy" content=(policy);
                     meta name="viewport" content="width=device-width, initial-scale=1";
                     meta name="generator" content=(concat!("clench ", env!("CARGO_PKG_VERSION")));
                     title { (self.title) " - clench" }
@@ -85,6 +89,7 @@ impl Sheet<'_> {
                         section { h2 { (heading) } (content) }
                     }
                     section { h2 { "Inputs" } (self.inputs.section()) }
+                    @if let Some(scene) = &self.scene { (viewer::scripts(scene)) }
                 }
             }
         };
