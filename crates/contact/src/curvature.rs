@@ -3,6 +3,7 @@
 use clench_screw::{Mat, Vector};
 
 use crate::ContactError;
+use crate::moving::Moving;
 use crate::tangent::Tangent;
 
 /// A principal direction within this angle of the normal (rad) leaves fewer than half of its digits
@@ -50,6 +51,38 @@ impl<const N: usize> Curvature<N> {
             Form::Round(radius) => Some(radius),
             _ => None,
         }
+    }
+}
+
+impl<const N: usize> Curvature<N> {
+    /// The rate of `y` of these `radii`, as the normal turns and `plane` with it, and the shape
+    /// operator changes at the rate `operator` besides.
+    pub(crate) fn rate(
+        &self,
+        radii: &Radii<N>,
+        plane: &Moving<N, N>,
+        normal: Vector<N>,
+        operator: &Mat<N, N>,
+    ) -> Mat<N, N> {
+        let turned = match self.0 {
+            Form::Round(_) if radii.y.max_abs() <= 0.0 => Mat::ZERO,
+            Form::Round(r) => plane.rate * 1.0_f64.copysign(r + 0.0),
+            Form::Principal { curvatures: [first, second], along } => {
+                // f = P a / |P a|; for an `along` of any size.
+                let along = along.direction().unwrap_or(normal);
+                let across = plane.value * along;
+                let size = across.norm().recip();
+                let f = across * size;
+                let moved = plane.rate * along * size;
+                let turning = Mat::outer(moved - f * f.dot(moved), f);
+                plane.rate * second + (turning + turning.transpose()) * (first - second)
+            }
+            Form::Tensor(tensor) => {
+                let half = plane.rate * tensor.symmetric_part() * plane.value;
+                half + half.transpose()
+            }
+        };
+        turned + plane.value * operator.symmetric_part() * plane.value * radii.x
     }
 }
 

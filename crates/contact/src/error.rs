@@ -138,6 +138,9 @@ pub enum ContactError {
     /// The inward normal has no direction.
     #[error("inward normal is zero, so it has no direction")]
     NoNormal,
+    /// A pointed part has no boundary along which a finger could move.
+    #[error("the part is pointed where the finger touches, so the finger cannot move along it")]
+    NoTangent,
     /// At this preload the law has no finite positive slope, so the contact has no stiffness.
     #[error(
         "with a preload of {preload} the law's slope is {slope}, so the contact has no stiffness: \

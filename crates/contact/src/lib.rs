@@ -16,6 +16,7 @@
 //! | area and pressure of an elliptic contact | [`Hertz`], [`Geometry::relative_curvature`] |
 //! | the overlap's gradient and Hessian | [`Geometry`] with [`Curvature`]s, [`Overlap`] |
 //! | one contact's stiffness | [`Contact`] |
+//! | how it changes with place, law and preload | [`Contact::stiffness_rate`], [`Law::scaled`] |
 //!
 //! ```
 //! use clench_contact::{Contact, Geometry, Law, Order};
@@ -50,10 +51,13 @@ mod tangent;
 
 mod overlap;
 
+mod change;
 mod contact;
+mod moving;
 
 mod error;
 
+pub use change::Change;
 pub use contact::{Contact, Order};
 pub use curvature::Curvature;
 pub use elastic::{Elastic, effective_modulus};

@@ -58,3 +58,41 @@ impl PartialEq for CustomLaw {
         Arc::ptr_eq(&self.0, &other.0)
     }
 }
+
+/// A law whose forces are some times as large.
+#[derive(Debug)]
+pub(super) struct Scaled {
+    pub(super) law: CustomLaw,
+    pub(super) factor: f64,
+}
+
+impl ForceLaw for Scaled {
+    fn force(&self, overlap: f64) -> f64 {
+        self.law.as_force_law().force(overlap) * self.factor
+    }
+
+    fn slope(&self, overlap: f64) -> f64 {
+        self.law.as_force_law().slope(overlap) * self.factor
+    }
+
+    fn energy(&self, overlap: f64) -> f64 {
+        self.law.as_force_law().energy(overlap) * self.factor
+    }
+
+    fn overlap(&self, force: f64) -> f64 {
+        self.law.as_force_law().overlap(force / self.factor)
+    }
+
+    fn slope_at_force(&self, force: f64) -> f64 {
+        self.law.as_force_law().slope_at_force(force / self.factor) * self.factor
+    }
+
+    fn slope_rate(&self, force: f64) -> f64 {
+        // Slope and force are both scaled: their quotient is that of the law itself.
+        self.law.as_force_law().slope_rate(force / self.factor)
+    }
+
+    fn largest_force(&self) -> f64 {
+        self.law.as_force_law().largest_force() * self.factor
+    }
+}

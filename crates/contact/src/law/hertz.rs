@@ -111,6 +111,15 @@ impl Hertz {
         Self::elliptic(effective_modulus, [0.5 * smaller, 0.5 * larger])
     }
 
+    /// The law of the same place with `factor` times the effective modulus.
+    pub(super) fn scaled(&self, factor: f64) -> Result<Self, ContactError> {
+        let effective_modulus = positive("effective modulus", self.effective_modulus * factor)?;
+        let coefficient = positive("coefficient", self.coefficient * factor)?;
+        let law = Self { effective_modulus, coefficient, ..*self };
+        positive("pressure per root of the overlap", law.pressure_per_root())?;
+        Ok(law)
+    }
+
     /// `E*` (force / length^2).
     #[must_use]
     pub const fn effective_modulus(&self) -> f64 {
@@ -162,6 +171,10 @@ impl ForceLaw for Hertz {
     fn overlap(&self, force: f64) -> f64 {
         let root = (force / self.coefficient).cbrt();
         root * root
+    }
+
+    fn slope_rate(&self, force: f64) -> f64 {
+        0.5 / self.overlap(force)
     }
 }
 

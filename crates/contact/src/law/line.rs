@@ -79,6 +79,19 @@ impl Line {
         Ok(Self { compliance, thickness, largest, largest_logarithm, spread })
     }
 
+    /// The law of the same disc on the same edge with `factor` times the moduli.
+    pub(super) fn scaled(&self, factor: f64) -> Result<Self, ContactError> {
+        let largest = self.largest * factor;
+        positive("largest force", largest * self.thickness)?;
+        Ok(Self {
+            compliance: positive("compliance", self.compliance / factor)?,
+            thickness: self.thickness,
+            largest,
+            largest_logarithm: self.largest_logarithm + factor.ln(),
+            spread: positive("spread", self.spread / factor)?,
+        })
+    }
+
     /// Half the width of the area of contact (length).
     #[must_use]
     pub fn half_width(&self, force: f64) -> f64 {
@@ -163,6 +176,11 @@ impl ForceLaw for Line {
     fn slope_at_force(&self, force: f64) -> f64 {
         let [p, w] = self.load_at_force(force);
         if p <= 0.0 { 0.0 } else { self.thickness / (self.compliance * w) }
+    }
+
+    fn slope_rate(&self, force: f64) -> f64 {
+        let [_, w] = self.load_at_force(force);
+        self.slope_at_force(force) / (force * w)
     }
 
     fn largest_force(&self) -> f64 {

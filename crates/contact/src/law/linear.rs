@@ -43,4 +43,8 @@ impl ForceLaw for Linear {
     fn overlap(&self, force: f64) -> f64 {
         force / self.k
     }
+
+    fn slope_rate(&self, _force: f64) -> f64 {
+        0.0
+    }
 }

@@ -7,6 +7,7 @@ mod linear;
 mod power;
 
 pub use custom::CustomLaw;
+use custom::Scaled;
 pub use hertz::Hertz;
 pub(crate) use hertz::LARGEST_CURVATURE_RATIO;
 pub use line::{Line, LineContact};
@@ -15,7 +16,12 @@ pub use power::Power;
 
 use std::fmt::Debug;
 
+use crate::error::positive;
 use crate::{ContactError, Geometry};
+
+/// The step of a central difference relative to the force: the cube root of the rounding, where
+/// the error of the difference, its square, equals what the rounding of the two values leaves.
+const DIFFERENCE: f64 = 6.055_454_452_393_343e-6;
 
 /// What a force law has to answer; implement it for one of your own, and wrap that in
 /// [`Law::custom`].
@@ -39,6 +45,17 @@ pub trait ForceLaw: Debug + Send + Sync {
     /// overlap.
     fn slope_at_force(&self, force: f64) -> f64 {
         self.slope(self.overlap(force))
+    }
+
+    /// How fast the slope grows with the force, `df'/df` (1 / length), where the force is `force`
+    /// and positive.
+    ///
+    /// Unless a law says it, by a central difference of [`Self::slope_at_force`], good to about
+    /// ten digits where the law is as smooth as a power.
+    fn slope_rate(&self, force: f64) -> f64 {
+        let step = force * DIFFERENCE;
+        let (above, below) = (force + step, force - step);
+        (self.slope_at_force(above) - self.slope_at_force(below)) / (above - below)
     }
 
     /// The force up to which the law holds; infinite unless it says otherwise.
@@ -158,6 +175,37 @@ impl Law {
     #[must_use]
     pub fn slope_at_force(&self, force: f64) -> f64 {
         self.as_force_law().slope_at_force(force)
+    }
+
+    /// How fast the slope grows with the force, `df'/df` (1 / length), at a positive `force`.
+    #[must_use]
+    pub fn slope_rate(&self, force: f64) -> f64 {
+        self.as_force_law().slope_rate(force)
+    }
+
+    /// The law whose force is `factor` times as large at each overlap: of elastic bodies the one
+    /// of moduli that are `factor` times as large.
+    ///
+    /// # Errors
+    ///
+    /// [`ContactError::NotPositive`] unless the factor is positive and finite, and so is what the
+    /// law consists of after it.
+    ///
+    /// ```
+    /// use clench_contact::Law;
+    /// let law = Law::power(3.0, 2.0)?.scaled(2.0)?;
+    /// assert_eq!((law.force(2.0), law.slope(2.0)), (24.0, 24.0));
+    /// # Ok::<(), clench_contact::ContactError>(())
+    /// ```
+    pub fn scaled(&self, factor: f64) -> Result<Self, ContactError> {
+        let factor = positive("factor", factor)?;
+        Ok(match self {
+            Self::Linear(law) => Self::Linear(Linear::new(law.stiffness() * factor)?),
+            Self::Power(law) => Self::power(law.coefficient() * factor, law.exponent())?,
+            Self::Hertz(law) => Self::Hertz(law.scaled(factor)?),
+            Self::Line(law) => Self::Line(law.scaled(factor)?),
+            Self::Custom(law) => Self::custom(Scaled { law: law.clone(), factor }),
+        })
     }
 
     /// The force up to which the law holds; infinite for all but [`Law::Line`].

@@ -53,4 +53,8 @@ impl ForceLaw for Power {
     fn overlap(&self, force: f64) -> f64 {
         (force / self.c).powf(self.p.recip())
     }
+
+    fn slope_rate(&self, force: f64) -> f64 {
+        (self.p - 1.0) / self.overlap(force)
+    }
 }

@@ -10,7 +10,7 @@ fn elastic(r: &mut Random) -> Elastic {
     Elastic::new(r.between(5.0, 20.0), r.between(0.0, 0.5)).unwrap()
 }
 
-fn law(r: &mut Random) -> Law {
+pub(crate) fn law(r: &mut Random) -> Law {
     match r.below(4) {
         0 => Law::linear(r.between(0.5, 2.0)).unwrap(),
         1 => Law::power(r.between(0.5, 2.0), r.between(1.0, 3.0)).unwrap(),

@@ -9,6 +9,7 @@
 )]
 
 mod cases;
+mod changes;
 mod known;
 mod laws;
 mod limits;

@@ -1,5 +1,6 @@
 //! Ellipses and ellipsoids.
 
+mod bending;
 mod error;
 mod farthest;
 mod nearest;

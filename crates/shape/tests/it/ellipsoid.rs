@@ -337,3 +337,32 @@ fn extreme_sizes_stay_finite() {
         }
     }
 }
+
+/// Central differences over 1e-5 of shape operators at points that were really moved, by the
+/// nearest point: third derivatives of size 1e3 leave 1e-8.
+fn curvatures_change_at_their_rates<const N: usize, const M: usize>(
+    placed: impl Fn(&mut Random) -> Frame<N, M>,
+    seed: u64,
+) {
+    let r = &mut Random::new(seed);
+    for _ in 0..50 {
+        let semi_axes = r.array::<N>(1.0).map(|a| 1.0 + a.abs());
+        let body = Ellipsoid::new(r.array(1.0).into(), semi_axes).unwrap().placed(&placed(r));
+        let at = body.at_normal(r.array(1.0).into()).unwrap();
+        let any: Vector<N> = r.array(1.0).into();
+        let along = any - at.inward_normal * at.inward_normal.dot(any);
+        let moved = |step: f64| body.nearest(at.point + along * step).boundary.shape_operator;
+        let h = 1e-5;
+        let difference = (moved(h) - moved(-h)) * (0.5 / h);
+        let rate = body.shape_operator_rate(&at, any);
+        assert!((rate - difference).max_abs() < 1e-6, "{rate:?} {difference:?}");
+    }
+}
+
+#[test]
+fn curvatures_change_at_their_rates_along_ellipses_and_ellipsoids() {
+    let plane = |r: &mut Random| planar::Frame::new(r.array(1.0), r.between(-3.0, 3.0));
+    curvatures_change_at_their_rates::<2, 1>(plane, 81);
+    let space = |r: &mut Random| spatial::Frame::new(r.array(1.0), r.array(2.0));
+    curvatures_change_at_their_rates::<3, 3>(space, 82);
+}
