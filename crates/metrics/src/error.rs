@@ -53,4 +53,19 @@ pub enum MetricsError {
         /// The deflection that goes with it (length per rad, or length / force).
         deflection: f64,
     },
+    /// The quality has no derivative: repeated principal stiffnesses limit it.
+    #[error(
+        "the quality has no derivative: {multiplicity} principal rotational stiffnesses are the \
+         same, and where a change separates them it jumps"
+    )]
+    QualityJumps {
+        /// How many are the same.
+        multiplicity: usize,
+    },
+    /// A measure has no derivative that could be found: on an ellipsoid more places tie for it than
+    /// can be told apart.
+    #[error(
+        "the measure has no derivative: on the ellipsoid, places that are equally soft form a curve"
+    )]
+    TiesWithoutEnd,
 }

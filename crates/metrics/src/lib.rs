@@ -14,6 +14,8 @@
 //! | the same over all force-free rotations, `Q_V` | [`EquivalentStiffness::least`] |
 //! | the least force per deflection anywhere on the body, `Q_pt` | [`WorstPoint`] |
 //! | what a given load does | [`Displacement`] |
+//! | how the measures change with the stiffness | [`Sensitivity`] |
+//! | the worst of many small changes, and the best one | [`Sensitivity::worst_case`], [`Sensitivity::best_gain`] |
 //!
 //! `min(sigma_min, Q_V) / 2 <= Q_pt <= min(sigma_min, Q_V) <= Q`.
 //!
@@ -57,6 +59,9 @@ mod equivalent;
 mod quality;
 mod worst_point;
 
+mod sensitivity;
+mod variation;
+
 mod directions;
 mod softness;
 
@@ -68,4 +73,6 @@ pub use error::MetricsError;
 pub use load::Displacement;
 pub use principal::Principal;
 pub use quality::{LimitedBy, Quality, REPEATED};
+pub use sensitivity::{Sensitivity, TIED};
+pub use variation::{Freedom, Gain, Steepest, Variation, WorstCase};
 pub use worst_point::WorstPoint;

@@ -6,6 +6,10 @@ use clench_shape::{Extent, Farthest};
 use crate::directions::{Largest, largest_norm};
 use crate::{MetricsError, Principal};
 
+/// Steps that polish a direction: each leaves a part of its error, of which half of the digits are
+/// to go.
+const POLISHING: usize = 64;
+
 /// The compliance `base + G G^T` felt at a body point, with `G = X(x) spread` and
 /// `X(x) = P_1 - lever(x)`, of which the rotations that it allows are the columns of `spread`.
 #[derive(Clone, Copy, Debug)]
@@ -57,6 +61,49 @@ impl<'a, const N: usize, const M: usize> Softness<'a, N, M> {
             }
             Extent::Ellipsoid(_) => self.largest_over_directions(body),
         }
+    }
+
+    /// All places where it is as large as `largest`, its largest value, to the part `within`, each
+    /// with an orthonormal basis of the directions in which the place gives way so.
+    ///
+    /// On an ellipsoid those that belong to one direction.
+    pub(crate) fn all_softest(
+        &self,
+        body: Extent<'_, N>,
+        largest: f64,
+        within: f64,
+    ) -> Result<Vec<(Vector<N>, Vec<Vector<N>>)>, MetricsError> {
+        let floor = largest * (1.0 - within);
+        let points = match body {
+            Extent::Points(extremes) => {
+                let soft = |x: &&Vector<N>| self.largest_above(**x, floor) > floor;
+                extremes.points().iter().filter(soft).copied().collect()
+            }
+            Extent::Ellipsoid(_) => {
+                let found = self.largest_over_directions(body)?;
+                let direction = self.polished(body, found.direction);
+                let all = self.all_farthest_along(body, direction, within);
+                all.ok_or(MetricsError::TiesWithoutEnd)?
+            }
+        };
+        let directions = |x: Vector<N>| {
+            let eigen = SymmetricEigen::beside_largest(&self.matrix(x)).ok()?;
+            let soft = (0..N).filter(|&i| eigen.values[i] >= floor);
+            Some((x, soft.map(|i| eigen.vectors[i]).collect()))
+        };
+        Ok(points.into_iter().filter_map(directions).collect())
+    }
+
+    /// A softest direction to all its digits: a search ends when the compliance is, which knows
+    /// half of those.
+    fn polished(&self, body: Extent<'_, N>, start: Vector<N>) -> Vector<N> {
+        let mut direction = start;
+        for _ in 0..POLISHING {
+            let point = self.farthest_along(body, direction).point;
+            let Ok(eigen) = SymmetricEigen::beside_largest(&self.matrix(point)) else { break };
+            direction = eigen.vectors[N - 1];
+        }
+        direction
     }
 
     /// The rotation that belongs to a displacement of `point` along `direction`: unit length.
@@ -125,6 +172,23 @@ impl<'a, const N: usize, const M: usize> Softness<'a, N, M> {
     /// The point `x` with the largest `|G(x)^T u|`: `G^T u = spread^T (P_1^T u + y x u)` with `y`
     /// from the near origin to `x`.
     fn farthest_along(&self, body: Extent<'_, N>, u: Vector<N>) -> Farthest<N> {
+        let (offset, map) = self.image_along(u);
+        body.farthest_image(self.principal.origin(), offset, &map)
+    }
+
+    /// All of them, to the part `within`; `None` if they form a curve.
+    fn all_farthest_along(
+        &self,
+        body: Extent<'_, N>,
+        u: Vector<N>,
+        within: f64,
+    ) -> Option<Vec<Vector<N>>> {
+        let (offset, map) = self.image_along(u);
+        body.all_farthest(self.principal.origin(), offset, &map, within)
+    }
+
+    /// `G(x)^T u` as an affine map of `x` from the near origin.
+    fn image_along(&self, u: Vector<N>) -> (Vector<M>, Mat<M, N>) {
         let spread = self.spread.transpose();
         let offset = spread * (self.principal.near_map().transpose() * u);
         let axes: [Vector<M>; N] = std::array::from_fn(|j| {
@@ -132,7 +196,7 @@ impl<'a, const N: usize, const M: usize> Softness<'a, N, M> {
             Wrench::of_force_at(u, axis).torque
         });
         let torque = Mat::<M, N>::from_fn(|i, j| axes[j][i]);
-        body.farthest_image(self.principal.origin(), offset, &(spread * torque))
+        (offset, spread * torque)
     }
 }
 

@@ -58,7 +58,40 @@ impl<const N: usize> Extent<'_, N> {
         self.image(origin, offset, map, frobenius(map))
     }
 
-    /// The same, where no vector grows by more than `growth`.
+    /// All points `x` where `|offset + map (x - origin)|` is as large as it gets, to the part
+    /// `within`; `None` on an ellipsoid where they form a curve.
+    #[must_use]
+    pub fn all_farthest<const R: usize>(
+        &self,
+        origin: Vector<N>,
+        offset: Vector<R>,
+        map: &Mat<R, N>,
+        within: f64,
+    ) -> Option<Vec<Vector<N>>> {
+        match self {
+            Self::Points(extremes) => {
+                let length = |x: Vector<N>| (offset + *map * (x - origin)).norm();
+                let largest = self.farthest_image(origin, offset, map).value * (1.0 - within);
+                let points = extremes.points().iter().copied();
+                Some(points.filter(|&x| length(x) >= largest).collect())
+            }
+            Self::Ellipsoid(body) => body.all_farthest(origin, offset, map, within),
+        }
+    }
+
+    /// All points that `twist`, written about `origin`, moves as far as any, to the part `within`;
+    /// `None` on an ellipsoid where they form a curve.
+    #[must_use]
+    pub fn all_fastest<const M: usize>(
+        &self,
+        origin: Vector<N>,
+        twist: &Twist<N, M>,
+        within: f64,
+    ) -> Option<Vec<Vector<N>>> {
+        self.all_farthest(origin, twist.linear, &twist.velocity_gradient(), within)
+    }
+
+    /// [`Self::farthest_image`], where no vector grows by more than `growth`.
     fn image<const R: usize>(
         &self,
         origin: Vector<N>,

@@ -13,3 +13,4 @@ mod bodies;
 mod case;
 mod cases;
 mod metrics;
+mod sensitivity;
