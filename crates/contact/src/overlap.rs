@@ -83,6 +83,18 @@ impl<const N: usize, const M: usize> Overlap<N, M> {
         self.geometry.inward_normal
     }
 
+    /// Unit directions along the boundary of the part: in the plane one, with the part on the left
+    /// of it; in space two at a right angle.
+    #[must_use]
+    pub fn tangents(&self) -> Vec<Vector<N>> {
+        let n = self.geometry.inward_normal;
+        if N == 2 {
+            return vec![Vector::from_fn(|i| if i == 0 { n[1] } else { -n[0] })];
+        }
+        let tangent = Tangent::of(n);
+        [[1.0, 0.0], [0.0, 1.0]].map(|along| tangent.direction(along)).to_vec()
+    }
+
     /// `delta`, the overlap at rest (length).
     #[must_use]
     pub const fn depth(&self) -> f64 {

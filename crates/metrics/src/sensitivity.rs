@@ -58,7 +58,8 @@ impl<const N: usize, const M: usize> Sensitivity<N, M> {
         rotation: usize,
         body: impl Into<Extent<'a, N>>,
     ) -> Result<Self, MetricsError> {
-        Ok(Self::new(principal, of_rotation(principal, quality, rotation, body.into())?))
+        held_apart(quality, rotation)?;
+        Ok(Self::new(principal, of_rotation(principal, rotation, body.into())?))
     }
 
     /// That of the `quality` of `body`: of `sigma_min` and the `mu_eq`, those that tie for it.
@@ -79,7 +80,8 @@ impl<const N: usize, const M: usize> Sensitivity<N, M> {
             pieces.push(translation(principal));
         }
         for rotation in (0..M).filter(|&i| quality.rotations[i].value <= limit) {
-            pieces.extend(of_rotation(principal, quality, rotation, body)?);
+            held_apart(quality, rotation)?;
+            pieces.extend(of_rotation(principal, rotation, body)?);
         }
         Ok(Self::new(principal, pieces))
     }
@@ -95,6 +97,11 @@ impl<const N: usize, const M: usize> Sensitivity<N, M> {
         least: &EquivalentStiffness<N, M>,
         body: impl Into<Extent<'a, N>>,
     ) -> Result<Self, MetricsError> {
+        let body = body.into();
+        if M == 1 {
+            // There is one rotation only.
+            return Ok(Self::new(principal, of_rotation(principal, 0, body)?));
+        }
         told_apart(least.value, least.at_least)?;
         let softness = Softness::of_rotations(principal, 0, M);
         let origin = principal.origin();
@@ -105,7 +112,7 @@ impl<const N: usize, const M: usize> Sensitivity<N, M> {
             let carried = compliance * direction * 2.0;
             [Twist { linear: twist.linear + carried, ..twist }, twist].map(|q| q * least.value)
         };
-        let pieces = softest(&softness, body.into(), least.value, turned)?;
+        let pieces = softest(&softness, body, least.value, turned)?;
         Ok(Self::new(principal, pieces))
     }
 
@@ -197,14 +204,9 @@ fn translation<const N: usize, const M: usize>(principal: &Principal<N, M>) -> P
 /// `y . P_1' omega = -(K_11^-1 y, 0)^T dK q` and `omega' = sum of omega_j (q_j^T dK q) / (mu - mu_j)`.
 fn of_rotation<const N: usize, const M: usize>(
     principal: &Principal<N, M>,
-    quality: &Quality<N, M>,
     rotation: usize,
     body: Extent<'_, N>,
 ) -> Result<Vec<Piece<N, M>>, MetricsError> {
-    let multiplicity = quality.rotations[rotation].multiplicity;
-    if multiplicity > 1 {
-        return Err(MetricsError::QualityJumps { multiplicity });
-    }
     let mu = principal.rotational();
     let (origin, stiffness) = (principal.origin(), mu.values[rotation]);
     let twist = principal.near_twist(mu.vectors[rotation]);
@@ -239,6 +241,15 @@ fn softest<const N: usize, const M: usize>(
         Piece(directions.into_iter().map(|direction| twists(point, direction)).collect())
     };
     Ok(places.into_iter().map(piece).collect())
+}
+
+/// Fails for a rotation whose stiffness is repeated.
+fn held_apart<const N: usize, const M: usize>(
+    quality: &Quality<N, M>,
+    rotation: usize,
+) -> Result<(), MetricsError> {
+    let multiplicity = quality.rotations[rotation].multiplicity;
+    if multiplicity == 1 { Ok(()) } else { Err(MetricsError::QualityJumps { multiplicity }) }
 }
 
 /// Fails where a search could not prove a value: too many places tie.

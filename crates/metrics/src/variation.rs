@@ -127,30 +127,28 @@ impl<const N: usize, const M: usize> Sensitivity<N, M> {
     }
 }
 
-/// The best direction of a plane: from the best of many, by steps to both sides that are halved.
+/// The best direction of a plane: of those that are better than both their neighbors, each moved on
+/// by steps to both sides that are halved.
 ///
-/// The rate is concave in the step, so that its largest value over the disc is found from any
-/// start; its least value is one of several, each of them at the end of a step towards which many
-/// directions lead.
+/// Along the circle a rate has kinks: a largest value may be at one, between two directions.
 fn searched(turned: impl Fn(f64) -> Steepest, sign: f64) -> Steepest {
     let spacing = TAU / DIRECTIONS as f64;
-    let (mut angle, mut best) = (0.0, turned(0.0));
-    let try_angle = |next: f64, angle: &mut f64, best: &mut Steepest| {
-        let found = turned(next);
-        let is_better = sign * found.rate > sign * best.rate;
-        if is_better {
-            (*angle, *best) = (next, found);
-        }
-        is_better
-    };
-    for i in 1..DIRECTIONS {
-        try_angle(i as f64 * spacing, &mut angle, &mut best);
-    }
-    let mut width = 0.5 * spacing;
+    let all: Vec<Steepest> = (0..DIRECTIONS).map(|i| turned(i as f64 * spacing)).collect();
+    let value = |i: usize| sign * all[i % DIRECTIONS].rate;
+    let is_peak = |i: &usize| value(*i) >= value(i + 1) && value(*i) >= value(i + DIRECTIONS - 1);
+    let peaks = (0..DIRECTIONS).filter(is_peak);
+    let climbed = peaks.map(|i| climbed(&turned, i as f64 * spacing, 0.5 * spacing, sign));
+    climbed.fold(all[0], |best, next| better(best, next, sign))
+}
+
+/// What steps of this width and less lead to.
+fn climbed(turned: impl Fn(f64) -> Steepest, start: f64, width: f64, sign: f64) -> Steepest {
+    let (mut angle, mut width, mut best) = (start, width, turned(start));
     while width > SMALLEST_ANGLE {
-        let (left, right) = (angle - width, angle + width);
-        if !(try_angle(left, &mut angle, &mut best) || try_angle(right, &mut angle, &mut best)) {
-            width *= 0.5;
+        let sides = [angle - width, angle + width];
+        match sides.into_iter().find(|&side| sign * turned(side).rate > sign * best.rate) {
+            Some(side) => (angle, best) = (side, turned(side)),
+            None => width *= 0.5,
         }
     }
     best

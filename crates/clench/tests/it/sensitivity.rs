@@ -1,9 +1,13 @@
 //! Derivatives of the measures against grasps that were made anew on the boundary of the part.
 
 use clench::contact::{Change, Contact, Curvature, Geometry, Hertz, Law, Order};
-use clench::metrics::{EquivalentStiffness, Principal, Quality, Sensitivity, WorstPoint};
-use clench::screw::Vector;
-use clench::shape::{Ellipsoid, Extent, ExtremePoints};
+use clench::metrics::{
+    EquivalentStiffness, Freedom, Principal, Quality, Sensitivity, Variation, WorstPoint,
+};
+use clench::optimize::polygon::{Fingers, Part as Searched, fingers};
+use clench::optimize::{Effort, unwatched};
+use clench::screw::{Stiffness, Vector};
+use clench::shape::{Ellipsoid, Extent, ExtremePoints, Polygon};
 use clench::stiffness::{DeadLoad, Grasp};
 use clench_testkit::Random;
 
@@ -105,15 +109,12 @@ fn law<const N: usize>(place: &Geometry<N>, r: &mut Random) -> Law {
 
 impl<const N: usize> Scene<N> {
     fn random(r: &mut Random, count: usize) -> Self {
-        let part = match r.below(2) {
-            0 => {
-                let corners: Vec<[f64; N]> = (0..9).map(|_| r.array(1.5)).collect();
-                Part::Flat(ExtremePoints::new(&corners).unwrap())
-            }
-            _ => {
-                let semi_axes = r.array::<N>(0.5).map(|a| 1.0 + a);
-                Part::Smooth(Ellipsoid::new(r.array(0.3).into(), semi_axes).unwrap())
-            }
+        let part = if r.below(2) == 0 {
+            let corners: Vec<[f64; N]> = (0..9).map(|_| r.array(1.5)).collect();
+            Part::Flat(ExtremePoints::new(&corners).unwrap())
+        } else {
+            let semi_axes = r.array::<N>(0.5).map(|a| 1.0 + a);
+            Part::Smooth(Ellipsoid::new(r.array(0.3).into(), semi_axes).unwrap())
         };
         let finger = |r: &mut Random| {
             let finger = Curvature::round(r.between(0.1, 0.8));
@@ -202,7 +203,7 @@ impl<const N: usize> Scene<N> {
         which: usize,
         freedom: usize,
         origin: Vector<N>,
-    ) -> clench::screw::Stiffness<N, M> {
+    ) -> Stiffness<N, M> {
         let finger = &self.fingers[which];
         let (change, unit) = match finger.directions().get(freedom) {
             Some(&along) => (self.part.change(&finger.place, along), 1.0),
@@ -236,7 +237,6 @@ fn derivatives_are_those_of_grasps_made_anew<const N: usize, const M: usize>(see
             checked += usize::from(allowed < 1e-4 * near.abs());
         }
     }
-    println!("{checked} derivatives to four digits");
     assert!(checked > 300, "{checked}");
 }
 
@@ -244,4 +244,100 @@ fn derivatives_are_those_of_grasps_made_anew<const N: usize, const M: usize>(see
 fn derivatives_are_those_of_grasps_made_anew_in_the_plane_and_in_space() {
     derivatives_are_those_of_grasps_made_anew::<2, 1>(91);
     derivatives_are_those_of_grasps_made_anew::<3, 3>(92);
+}
+
+/// The worst corner of a box of tolerances, by trying all, against the linear estimate: what they
+/// differ by is of second order, a quarter for a box half as large.
+fn the_worst_case_is_the_worst_corner_of_a_small_box<const N: usize, const M: usize>(seed: u64) {
+    let r = &mut Random::new(seed);
+    let mut checked = 0;
+    for _ in 0..12 {
+        let scene = Scene::<N>::random(r, 3 + 2 * M);
+        let Some(principal) = scene.principal::<M>(&scene.fingers) else { continue };
+        // One number of five fingers each: a place, the stiffness or the preload.
+        let chosen: Vec<(usize, usize)> = (0..5).map(|which| (which, r.below(N + 1))).collect();
+        let values = scene.measures::<M>(&scene.fingers).unwrap();
+        let corner = |corner: u32, tolerance: f64| {
+            let mut fingers = scene.fingers.clone();
+            for (bit, &(which, freedom)) in chosen.iter().enumerate() {
+                let sign = if corner >> bit & 1 == 1 { 1.0 } else { -1.0 };
+                fingers[which] = scene.changed(which, freedom, sign * tolerance)[which].clone();
+            }
+            scene.measures::<M>(&fingers).unwrap()
+        };
+        let boxes = [2e-4, 1e-4].map(|tolerance| {
+            let all: Vec<_> = (0..32).map(|bits| corner(bits, tolerance)).collect();
+            (tolerance, all)
+        });
+        for (i, sensitivity) in scene.sensitivities(&principal).iter().enumerate() {
+            let [whole, half] = boxes.each_ref().map(|(tolerance, corners)| {
+                let variation = |&(which, freedom): &(usize, usize)| Variation {
+                    freedom: Freedom::Line(scene.rate(which, freedom, sensitivity.origin())),
+                    tolerance: *tolerance,
+                };
+                let variations: Vec<_> = chosen.iter().map(variation).collect();
+                let worst = sensitivity.worst_case(&variations);
+                let least = corners.iter().map(|found| found[i]).fold(f64::INFINITY, f64::min);
+                least - (values[i] + worst.change)
+            });
+            // The third order of the smaller box, and rounding.
+            let allowed = 0.1 * whole.abs() + 1e-12 * values[i];
+            assert!((half - 0.25 * whole).abs() <= allowed, "{i}: {whole:e} {half:e}");
+            checked += usize::from(whole.abs() > 1e-10 * values[i]);
+        }
+    }
+    assert!(checked > 20, "{checked}");
+}
+
+#[test]
+fn the_worst_case_is_the_worst_corner_of_a_small_box_in_the_plane_and_in_space() {
+    the_worst_case_is_the_worst_corner_of_a_small_box::<2, 1>(93);
+    the_worst_case_is_the_worst_corner_of_a_small_box::<3, 3>(94);
+}
+
+/// At a placement that was proved to be the best, no finger gains by a step along its edge, nor do
+/// several together, wherever there is room: to the rounding of the closed forms.
+#[test]
+fn no_step_gains_at_a_proved_optimum() {
+    let r = &mut Random::new(95);
+    let mut steps = 0;
+    for round in 0..12 {
+        let corners = if round % 2 == 0 { r.convex(5 + round) } else { r.star(5 + round) };
+        let outline = Polygon::new(&corners).unwrap();
+        let part = Searched::uniform(outline.clone(), 1.0).unwrap();
+        let best = fingers(&part, &Fingers::new(4), &Effort::default(), unwatched).unwrap().best;
+        // Where a share is zero the step may lose what holds the part, which the quality does not
+        // see.
+        if best.placements.iter().any(|placement| placement.share < 1e-6) {
+            continue;
+        }
+        let quality = Sensitivity::of_quality(&best.principal, &best.quality, &outline).unwrap();
+        let rates: Vec<_> = best
+            .placements
+            .iter()
+            .map(|placement| {
+                let edge = &outline.edges()[placement.on];
+                let along = (edge.end() - edge.start()).direction().unwrap();
+                let room =
+                    [edge.start(), edge.end()].map(|end| (placement.point - end).norm() > 1e-6);
+                let place = Geometry::on_face(placement.point, placement.inward_normal, 0.0);
+                let finger = Contact::<2, 1>::new(place, Law::linear(1.0).unwrap(), 0.0).unwrap();
+                let change = Change::along(along);
+                (finger.stiffness_rate(&change, quality.origin(), Order::First).unwrap(), room)
+            })
+            .collect();
+        for _ in 0..200 {
+            let step = |room: [bool; 2], r: &mut Random| {
+                let any = r.between(-1.0, 1.0);
+                if room[usize::from(any > 0.0)] { any } else { 0.0 }
+            };
+            let sum = rates
+                .iter()
+                .fold(Stiffness::ZERO, |sum, (rate, room)| sum + *rate * step(*room, r));
+            let gain = quality.along(&sum);
+            assert!(gain <= 1e-9 * best.quality.value, "{round}: {gain}");
+            steps += usize::from(gain < -1e-6);
+        }
+    }
+    assert!(steps > 300, "{steps}");
 }

@@ -12,5 +12,6 @@ mod beam_section;
 mod definitions;
 mod laws;
 mod limits;
+mod sensitivity;
 mod springs;
 mod trials;
