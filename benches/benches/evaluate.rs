@@ -3,8 +3,8 @@
 
 use std::hint::black_box;
 
-use clench::contact::{Contact, Geometry, Law, Order};
-use clench::metrics::{EquivalentStiffness, Principal, Quality, WorstPoint};
+use clench::contact::{Change, Contact, Geometry, Law, Order};
+use clench::metrics::{EquivalentStiffness, Principal, Quality, Sensitivity, WorstPoint};
 use clench::screw::Vector;
 use clench::shape::{Ellipsoid, Extent, ExtremePoints, Polygon};
 use clench::stiffness::Grasp;
@@ -71,6 +71,25 @@ fn seven_on_a_cube() -> Grasp<3, 3> {
     Grasp::new(fingers.into_iter().enumerate().map(contact).collect()).unwrap()
 }
 
+/// The sum of the derivatives by two directions of the place, the stiffness and the preload of each
+/// contact.
+fn derivatives(grasp: &Grasp<3, 3>, known: &Principal<3, 3>, body: Extent<'_, 3>) -> f64 {
+    let least = EquivalentStiffness::least(known, body).unwrap();
+    let worst = WorstPoint::of(known, body).unwrap();
+    let of_least = Sensitivity::of_least(known, &least, body).unwrap();
+    let of_worst = Sensitivity::of_worst_point(known, &worst, body).unwrap();
+    let by_contact = |contact: &Contact<3, 3>| {
+        let places = contact.overlap().tangents().into_iter().map(Change::along);
+        let changes = places.chain([Change::Stiffness, Change::Preload]);
+        let by_change = |change: Change<3>| {
+            let rate = contact.stiffness_rate(&change, of_worst.origin(), Order::Second).unwrap();
+            of_least.along(&rate) + of_worst.along(&rate)
+        };
+        changes.map(by_change).sum::<f64>()
+    };
+    grasp.contacts().iter().map(by_contact).sum()
+}
+
 fn spatial(c: &mut Criterion) {
     let grasp = seven_on_a_cube();
     let corner = |i: usize| [0, 1, 2].map(|axis| if i >> axis & 1 == 1 { 1.0 } else { -1.0 });
@@ -104,6 +123,9 @@ fn spatial(c: &mut Criterion) {
     });
     group.bench_function("of it Q_pt", |b| {
         b.iter(|| WorstPoint::of(black_box(&known), &cube).unwrap());
+    });
+    group.bench_function("all derivatives of Q_V and Q_pt by its contacts", |b| {
+        b.iter(|| derivatives(black_box(&grasp), &known, (&cube).into()));
     });
     let ball = Ellipsoid::new(Vector::ZERO, [1.0, 1.3, 0.8]).unwrap();
     group.bench_function("Q_pt of an ellipsoid instead", |b| {

@@ -20,6 +20,7 @@ use crate::picture::{self, Figures, Picture};
 use crate::report::html::{self, Inputs};
 use crate::report::{self, AnalysisReport, AnalysisText};
 use crate::response::Response;
+use crate::robustness::Robustness;
 use crate::view::View;
 
 /// All that is known of a grasp, in the frame of the file.
@@ -44,6 +45,8 @@ pub(crate) struct Analysis<'a, const N: usize, const M: usize> {
     /// The numbers that a grasp has if it holds the part.
     pub(crate) metrics: Result<Metrics<N, M>, NotHeld>,
     pub(crate) points: &'a [NamedPoint<N>],
+    /// How the measures change with the contacts, if that is asked for and the part is held.
+    pub(crate) robustness: Option<Robustness<N>>,
     /// To the load cases, in their order; none if the part is not held.
     pub(crate) responses: Vec<Response<'a, N, M>>,
     /// How many load cases have no response, since the part is not held.
@@ -135,6 +138,9 @@ impl<'a> Question<'a> {
             Ok(metrics) => self.responses(found, metrics, body)?,
             Err(_) => Vec::new(),
         };
+        let asked = self.arguments.robustness || found.tolerances.is_some();
+        let robustness = metrics.as_ref().ok().filter(|_| asked);
+        let robustness = robustness.and_then(|metrics| Robustness::of(found, metrics, body, order));
         Ok(Analysis {
             units: self.units,
             grasp,
@@ -149,6 +155,7 @@ impl<'a> Question<'a> {
             preloads,
             loaded,
             metrics,
+            robustness,
             points: &found.points,
             unanswered: found.load_cases.len() - responses.len(),
             responses,

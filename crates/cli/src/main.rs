@@ -9,6 +9,7 @@ mod held;
 mod interrupt;
 mod metrics;
 mod response;
+mod robustness;
 
 mod answer;
 mod color;

@@ -15,7 +15,8 @@
 //! | the least force per deflection anywhere on the body, `Q_pt` | [`WorstPoint`] |
 //! | what a given load does | [`Displacement`] |
 //! | how the measures change with the stiffness | [`Sensitivity`] |
-//! | the worst of many small changes, and the best one | [`Sensitivity::worst_case`], [`Sensitivity::best_gain`] |
+//! | the worst of many small changes | [`Sensitivity::worst_case`] |
+//! | the one that gains most | [`Sensitivity::best_gain`] |
 //!
 //! `min(sigma_min, Q_V) / 2 <= Q_pt <= min(sigma_min, Q_V) <= Q`.
 //!

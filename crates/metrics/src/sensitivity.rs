@@ -17,8 +17,8 @@ pub const TIED: f64 = 1e-9;
 /// value is the least, its derivative by a change `dK` is `l^T dK r`, with two twists that belong
 /// to the place where it is attained (Danskin): for `Q_pt` both are the displacement by a force at
 /// the worst point, times `Q_pt`. Where several tie, to [`TIED`], the measure has a kink: it is
-/// concave to first order, and its one-sided derivative is the least of theirs. Where they are the
-/// forms of an eigenspace, of a repeated eigenvalue, that is the least eigenvalue of `l_a^T dK r_b`.
+/// concave to first order, and its one-sided derivative is the least of theirs. Where they belong
+/// to the eigenspace of a repeated eigenvalue, that is the least eigenvalue of `l_a^T dK r_b`.
 ///
 /// How a stiffness changes is not asked: what changes it may be a place, a spring or a force.
 #[derive(Clone, Debug, PartialEq)]
@@ -116,8 +116,8 @@ impl<const N: usize, const M: usize> Sensitivity<N, M> {
         Ok(Self::new(principal, pieces))
     }
 
-    /// That of `Q_pt`, the stiffness at the `worst` point of `body`: `q^T dK q` for the displacement
-    /// `q` by a force of size `Q_pt` there.
+    /// That of `Q_pt`, the stiffness at the `worst` point of `body`: `q^T dK q` for the
+    /// displacement `q` by a force of size `Q_pt` there.
     ///
     /// # Errors
     ///
@@ -161,6 +161,12 @@ impl<const N: usize, const M: usize> Sensitivity<N, M> {
         self.pieces.iter().map(|piece| piece.along(change)).fold(f64::INFINITY, f64::min)
     }
 
+    /// Each of the values that tie, alone.
+    pub(crate) fn each(&self) -> impl Iterator<Item = Self> {
+        let alone = |piece: &Piece<N, M>| Self { origin: self.origin, pieces: vec![piece.clone()] };
+        self.pieces.iter().map(alone)
+    }
+
     /// Whether the measure has a derivative: [`Self::along`] is linear then. Otherwise it has a
     /// kink, and the derivatives along a change and against it are not opposite.
     #[must_use]
@@ -201,7 +207,8 @@ fn translation<const N: usize, const M: usize>(principal: &Principal<N, M>) -> P
 /// `mu_eq` of a rotation, for each point that it moves most.
 ///
 /// With `D = |y|`, `y = X omega`, and the twists `q_i` of the rotations, `mu' = q^T dK q`,
-/// `y . P_1' omega = -(K_11^-1 y, 0)^T dK q` and `omega' = sum of omega_j (q_j^T dK q) / (mu - mu_j)`.
+/// `y . P_1' omega = -(K_11^-1 y, 0)^T dK q` and
+/// `omega' = sum of omega_j (q_j^T dK q) / (mu - mu_j)`.
 fn of_rotation<const N: usize, const M: usize>(
     principal: &Principal<N, M>,
     rotation: usize,

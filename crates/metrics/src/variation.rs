@@ -62,14 +62,24 @@ impl<const N: usize, const M: usize> Sensitivity<N, M> {
     /// What the measure loses at worst, when all `variations` happen at once, each within its
     /// tolerance: in proportion to them, `-sum of |dQ| t`.
     ///
-    /// It is linear: what the squares of the tolerances do is not in it. Where the measure has a
-    /// kink, each variation is taken at its worst alone, which is on the safe side.
+    /// It is linear: what the squares of the tolerances do is not in it. Where several values tie
+    /// it is the worst of theirs; of a repeated eigenvalue each variation is taken at its own
+    /// worst, which is on the safe side.
     #[must_use]
     pub fn worst_case(&self, variations: &[Variation<N, M>]) -> WorstCase {
-        let worst = |variation: &Variation<N, M>| {
-            let Steepest { rate, step } = self.steepest_fall(&variation.freedom);
+        let none = WorstCase { change: 0.0, steps: vec![[0.0, 0.0]; variations.len()] };
+        let worse = |worst: WorstCase, next: WorstCase| {
+            if next.change < worst.change { next } else { worst }
+        };
+        self.each().map(|one| one.worst_of_one(variations)).fold(none, worse)
+    }
+
+    /// That of one of the values that tie.
+    fn worst_of_one(&self, variations: &[Variation<N, M>]) -> WorstCase {
+        let worst = |Variation { freedom, tolerance }: &Variation<N, M>| {
+            let Steepest { rate, step } = self.steepest(freedom, -1.0);
             // Along a line or plane on which the measure is at its least nothing is lost.
-            let tolerance = if rate < 0.0 { variation.tolerance } else { 0.0 };
+            let tolerance = if rate < 0.0 { *tolerance } else { 0.0 };
             (rate * tolerance, step.map(|s| s * tolerance))
         };
         let (changes, steps): (Vec<f64>, _) = variations.iter().map(worst).unzip();

@@ -47,6 +47,13 @@ A grasp file has contacts besides; so have the files of --fix and --candidates, 
   # law = { kind = "hertz", finger = "steel", part = "aluminum 6061", relative_radius = 0.5 }
   # law = { kind = "line", thickness = 5, reference_depth = 4, finger = "steel", part = "ptfe" }
 
+  tolerance = { placement = 0.2 }            # instead of that of all contacts
+
+  [contact_tolerances]                       # how far contacts may be off; 0 what is left out
+  placement = 0.1                            # along the boundary
+  stiffness = 0.05                           # relative
+  preload = 0.1                              # relative
+
   [[loads]]                                  # at rest, such as the weight
   point = [6, 4]
   force = [0, -9.81]
@@ -127,6 +134,10 @@ pub(crate) struct AnalyzeArguments {
     /// tolerance is kept.
     #[arg(long)]
     pub(crate) check: bool,
+    /// Report how the measures change with each contact's place, stiffness and preload, also if the
+    /// file has no tolerances of contacts.
+    #[arg(long)]
+    pub(crate) robustness: bool,
     #[command(flatten)]
     pub(crate) output: OutputArguments,
 }

@@ -52,6 +52,11 @@ pub(super) trait Boundary<const N: usize> {
     /// The place nearest to `point`.
     fn foot(&self, point: Vector<N>) -> Foot<N>;
 
+    /// The part, if it is smooth.
+    fn smooth(&self) -> Option<Ellipsoid<N>> {
+        None
+    }
+
     /// All places that `point` may stand for, to the distance `within`: several at a corner.
     fn seats(&self, point: Vector<N>, within: f64) -> Vec<Seat<N>>;
 }
@@ -116,6 +121,10 @@ impl<const N: usize> Boundary<N> for Ellipsoid<N> {
 
     fn pieces(&self) -> Option<(PieceKind, usize)> {
         None
+    }
+
+    fn smooth(&self) -> Option<Ellipsoid<N>> {
+        Some(*self)
     }
 
     fn foot(&self, point: Vector<N>) -> Foot<N> {

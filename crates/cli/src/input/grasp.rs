@@ -2,6 +2,7 @@
 
 use clench::contact::{Contact, Hertz};
 use clench::screw::Vector;
+use clench::shape::Ellipsoid;
 use clench::stiffness::{Grasp, GraspError};
 
 use super::balance;
@@ -16,6 +17,7 @@ use super::part::{Body, PlanarShape};
 use super::place::Place;
 use super::schema;
 use super::solid::SpatialShape;
+use super::tolerance::{self, Tolerance};
 use crate::failure::Failure;
 
 /// The grasp of a file, and what only the file knows of it.
@@ -28,6 +30,10 @@ pub(crate) struct FileGrasp<const N: usize, const M: usize> {
     pub(crate) radius: f64,
     pub(crate) points: Vec<NamedPoint<N>>,
     pub(crate) load_cases: Vec<LoadCase<N, M>>,
+    /// How far each contact may be off, if the file says so.
+    pub(crate) tolerances: Option<Vec<Tolerance>>,
+    /// The part where it is smooth: fingers on other parts are on flat places.
+    pub(crate) smooth: Option<Ellipsoid<N>>,
 }
 
 /// The grasp of a planar part by the contacts of a file.
@@ -109,6 +115,8 @@ fn grasp<const N: usize, const M: usize>(
         radius: boundary.radius(),
         points: load::named_points(document, &file.points)?,
         load_cases: load::load_cases(document, &file.load_cases)?,
+        tolerances: tolerance::tolerances(document, file)?,
+        smooth: boundary.smooth(),
     })
 }
 

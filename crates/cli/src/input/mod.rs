@@ -18,6 +18,7 @@ mod finger;
 mod law;
 
 mod load;
+mod tolerance;
 
 mod boundary;
 mod material;
@@ -47,4 +48,5 @@ pub(crate) use part::{
 };
 pub(crate) use place::Place;
 pub(crate) use solid::{mesh_file, touchable};
+pub(crate) use tolerance::Tolerance;
 pub(crate) use touch::without;

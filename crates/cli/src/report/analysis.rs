@@ -9,6 +9,7 @@ use super::case_verdict::OverallVerdict;
 use super::load_case::LoadCaseReport;
 use super::measures::{InPlane, InSpace, MetricsReport};
 use super::number::{UnitNames, in_plane_a_number};
+use super::robustness::RobustnessReport;
 use super::verdict::{FreeMotion, Verdict};
 use super::words::{OrderWord, StabilityWord};
 use crate::analyze::Analysis;
@@ -39,6 +40,9 @@ pub(crate) struct AnalysisReport<'a> {
     pub(crate) stability: StabilityWord,
     #[serde(flatten)]
     pub(crate) metrics: Option<MetricsReport>,
+    /// If it is asked for, and the part is held.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(crate) robustness: Option<RobustnessReport>,
     /// None in the file, or none that means anything, if the part is not held.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub(crate) load_cases: Vec<LoadCaseReport>,
@@ -191,6 +195,7 @@ impl<'a> AnalysisReport<'a> {
                 analysis.unanswered,
                 verdict.reason.as_deref(),
             ),
+            robustness: RobustnessReport::new(analysis),
             load_cases,
             force_closure: analysis.preloads.force_closure,
             preload_margin: analysis.preloads.best.as_ref().map(|best| plain(best.margin)),

@@ -30,6 +30,7 @@ impl fmt::Display for AnalysisText<'_> {
         self.metrics(&mut page);
         self.holding(&mut page);
         self.axes(&mut page);
+        self.robustness(&mut page);
         self.load_cases(&mut page);
         page.line("");
         self.stiffness(&mut page);

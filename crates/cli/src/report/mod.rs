@@ -15,6 +15,9 @@ mod case_verdict_text;
 mod load_case;
 mod load_case_text;
 
+mod robustness;
+mod robustness_text;
+
 mod optimum;
 mod optimum_text;
 mod subject;

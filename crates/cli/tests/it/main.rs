@@ -19,6 +19,7 @@ mod parts;
 mod reference_numbers;
 mod references;
 mod refusals;
+mod robustness;
 mod run;
 mod searches;
 mod solids;

@@ -200,6 +200,40 @@ fn the_steepest_step_is_the_best_of_many_smooth_or_not() {
     the_steepest_step_is_the_best_of_many(&random, (&body).into(), r);
 }
 
+/// With several corners that tie: by all corners of the box of changes, of which one is the worst.
+#[test]
+fn the_worst_case_of_a_kink_is_that_of_all_corners_of_the_box() {
+    let square = Polygon::new(&[[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]]).unwrap();
+    let r = &mut Random::new(106);
+    // Rotation limits, and no translation ties.
+    let mut stiffness = isotropic::<2, 1>(9.0, 4.0);
+    stiffness.translational[0][0] = 11.0;
+    let quality = sensitivities(&stiffness, (&square).into())[3].clone().unwrap();
+    assert!(!quality.is_smooth());
+    for _ in 0..20 {
+        let variation = |r: &mut Random| {
+            let freedom = Freedom::Line(change(r));
+            Variation { freedom, tolerance: r.between(0.1, 1.0) }
+        };
+        let variations: Vec<_> = (0..4).map(|_| variation(r)).collect();
+        let at = |signs: u32| {
+            let sum = variations.iter().enumerate().fold(Stiffness::ZERO, |sum, (i, variation)| {
+                let Freedom::Line(rate) = variation.freedom else { panic!("a line was made") };
+                let sign = if signs >> i & 1 == 1 { 1.0 } else { -1.0 };
+                sum + rate * (sign * variation.tolerance)
+            });
+            quality.along(&sum)
+        };
+        let least = (0..16).map(at).fold(f64::INFINITY, f64::min);
+        let worst = quality.worst_case(&variations);
+        assert_close(worst.change, least, 1e-12, least.abs(), "worst");
+        // And its steps lead there.
+        let signs = worst.steps.iter().enumerate();
+        let signs = signs.map(|(i, step)| u32::from(step[0] > 0.0) << i).sum();
+        assert_close(at(signs), least, 1e-12, least.abs(), "steps");
+    }
+}
+
 /// All measures are homogeneous of degree one: in proportion to the stiffness, whatever it is.
 #[test]
 fn a_measure_is_its_own_derivative_along_the_stiffness() {

@@ -115,6 +115,15 @@ pub(crate) enum ContactFault {
          boundary: expected a `finger` with a radius or curvatures"
     )]
     PointedByDefault { contact: usize },
+    /// A tolerance that nothing keeps.
+    #[error("the tolerance is {value}, but has to be a number, zero or positive")]
+    Tolerance { value: f64 },
+    /// A relative tolerance that takes all, or that nothing keeps.
+    #[error(
+        "the tolerance is {value}, but has to be a number from 0 up to, and not including, 1: it \
+         is relative"
+    )]
+    RelativeTolerance { value: f64 },
     /// There is no material of this name.
     #[error("found {}, but no material has this name; known are {}", quoted(found), materials())]
     UnknownMaterial { found: String, nearest: Option<&'static str> },

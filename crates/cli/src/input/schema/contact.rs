@@ -7,6 +7,7 @@ use serde::de::{Deserializer, Error, MapAccess, Unexpected, Visitor};
 use serde::{Deserialize, Serialize};
 
 use super::super::number::{Coordinates, Finite, Whole};
+use super::Tolerance;
 
 /// A finger at its place.
 #[derive(Clone, Debug, Deserialize)]
@@ -22,6 +23,7 @@ pub(crate) struct Contact {
     pub(crate) law: Option<Law>,
     pub(crate) preload: Option<Preload>,
     pub(crate) finger: Option<Finger>,
+    pub(crate) tolerance: Option<Tolerance>,
 }
 
 /// The contact force at rest.

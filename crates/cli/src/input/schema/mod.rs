@@ -5,6 +5,8 @@ mod forbidden;
 mod load;
 mod part;
 
+mod tolerance;
+
 mod results;
 mod words;
 
@@ -17,6 +19,7 @@ pub(crate) use forbidden::{Forbidden, ForbiddenStretch};
 pub(crate) use load::{Load, LoadCase, NamedPoint};
 pub(crate) use part::{Part, Planar, Spatial};
 pub(super) use results::without_results;
+pub(crate) use tolerance::Tolerance;
 pub(super) use words::{expected, help};
 
 /// The schema that this program reads.
@@ -33,6 +36,8 @@ pub(crate) struct File<P = Part> {
     pub(crate) part: P,
     #[serde(default)]
     pub(crate) contacts: Vec<Contact>,
+    /// Of all contacts that have none of their own.
+    pub(crate) contact_tolerances: Option<Tolerance>,
     #[serde(default)]
     pub(crate) loads: Vec<Load>,
     #[serde(default)]
