@@ -60,12 +60,13 @@ fn the_commands_of_the_readme_find_an_answer() {
 fn the_files_of_the_page_on_files_are_read() {
     let page = document("docs/files.md");
     let files = blocks(&page, "toml");
-    assert_eq!(files.len(), 4);
+    assert_eq!(files.len(), 5);
     let folder = Folder::new("files-page");
     folder.write("part.toml", files[0]);
     assert_eq!(folder.run("optimize part.toml --fingers 4").code, Some(0));
     for (file, stable) in [
         (files[1], "stable to first order"),
+        (files[4], "robustness: change of the measures"),
         (files[2], "by its preload"),
         (files[3], "contact 1 lifts off first"),
     ] {
@@ -159,6 +160,12 @@ fn the_keys_of_the_reports_are_those_of_the_page() {
     assert_eq!(found, listed(&[analyze, "| in space | value"]));
     // The contacts lift off under more than the load.
     assert_eq!(keys(&spatial["load_cases"][0]), listed(&["| key of a load case"]));
+    folder.write("off.toml", blocks(&page, "toml")[4]);
+    let robustness = &folder.json("analyze off.toml")["robustness"];
+    let mut found = keys(robustness);
+    found.extend(keys(&robustness["quality"]));
+    found.insert("missing".to_owned());
+    assert_eq!(found, listed(&["| key of `robustness`"]));
     let optimum =
         folder.json("optimize parts/quadrilateral.toml --fingers 4 --preload 0.8 --top 2");
     let optimize = "| key of `optimize`";
