@@ -19,7 +19,7 @@ use crate::metrics::Metrics;
 use crate::picture::{self, Figures, Picture};
 use crate::report::html::{self, Inputs};
 use crate::report::{self, AnalysisReport, AnalysisText};
-use crate::response::Response;
+use crate::response::{Remedies, Response};
 use crate::robustness::Robustness;
 use crate::view::View;
 
@@ -49,6 +49,8 @@ pub(crate) struct Analysis<'a, const N: usize, const M: usize> {
     pub(crate) robustness: Option<Robustness<N>>,
     /// To the load cases, in their order; none if the part is not held.
     pub(crate) responses: Vec<Response<'a, N, M>>,
+    /// The preloads that the load cases need, if there are any.
+    pub(crate) needed: Option<Remedies>,
     /// How many load cases have no response, since the part is not held.
     pub(crate) unanswered: usize,
 }
@@ -120,12 +122,7 @@ impl<'a> Question<'a> {
     ) -> Result<Analysis<'a, N, M>, Failure> {
         let grasp = &found.grasp;
         let equilibrium = grasp.equilibrium();
-        let forces = grasp.total_preload() > 0.0 || !grasp.loads().is_empty();
-        let order = match self.arguments.order {
-            Some(OrderArgument::Second) => Order::Second,
-            None if equilibrium.holds && forces => Order::Second,
-            Some(OrderArgument::First) | None => Order::First,
-        };
+        let order = self.order(grasp);
         let name = || self.document.name().to_owned();
         let preloads = grasp.preloads();
         let preloads = preloads.map_err(|source| Failure::Preloads { name: name(), source })?;
@@ -134,6 +131,10 @@ impl<'a> Question<'a> {
         let classes = Classes::of(grasp);
         let metrics = held(grasp, order, classes.to_order(order))
             .and_then(|principal| Metrics::of(principal, body).map_err(NotHeld::One));
+        let needed = (metrics.is_ok() && !found.load_cases.is_empty()).then(|| {
+            Remedies::of(found, self.arguments.reserve, |grasp| self.order(grasp))
+                .map_err(|source| Failure::Preloads { name: name(), source })
+        });
         let responses = match &metrics {
             Ok(metrics) => self.responses(found, metrics, body)?,
             Err(_) => Vec::new(),
@@ -157,9 +158,20 @@ impl<'a> Question<'a> {
             metrics,
             robustness,
             points: &found.points,
+            needed: needed.transpose()?,
             unanswered: found.load_cases.len() - responses.len(),
             responses,
         })
+    }
+
+    /// What is in the stiffness of `grasp`.
+    fn order<const N: usize, const M: usize>(&self, grasp: &Grasp<N, M>) -> Order {
+        let forces = grasp.total_preload() > 0.0 || !grasp.loads().is_empty();
+        match self.arguments.order {
+            Some(OrderArgument::Second) => Order::Second,
+            None if forces && grasp.equilibrium().holds => Order::Second,
+            Some(OrderArgument::First) | None => Order::First,
+        }
     }
 
     fn responses<const N: usize, const M: usize>(

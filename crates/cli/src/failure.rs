@@ -7,7 +7,8 @@ use clench::stiffness::GraspError;
 use clench_draw::DrawError;
 use miette::Diagnostic;
 
-use crate::input::InputError;
+use crate::complaint::Kind;
+use crate::input::{InputError, Position};
 use crate::optimize::OutOfRange;
 
 /// The end of a command that wrote nothing.
@@ -75,6 +76,45 @@ impl Failure {
                 | Self::NothingToCheck { .. }
                 | Self::Option { .. }
         )
+    }
+}
+
+impl Failure {
+    /// What kind of thing is wrong.
+    pub(crate) const fn kind(&self) -> Kind {
+        match self {
+            _ if self.is_usage() => Kind::Usage,
+            Self::Unreadable { .. }
+            | Self::NotText { .. }
+            | Self::SameFile { .. }
+            | Self::Unwritable { .. }
+            | Self::Output(_) => Kind::File,
+            _ => Kind::Input,
+        }
+    }
+
+    /// The file that it is about.
+    pub(crate) fn file(&self) -> Option<&str> {
+        match self {
+            Self::Input(error) => Some(error.file()),
+            Self::Unreadable { name, .. }
+            | Self::NotText { name, .. }
+            | Self::SameFile { name }
+            | Self::Unwritable { name, .. }
+            | Self::NothingToCheck { name }
+            | Self::Search { name, .. }
+            | Self::Preloads { name, .. }
+            | Self::Range { name, .. } => Some(name),
+            _ => None,
+        }
+    }
+
+    /// Where in the file.
+    pub(crate) fn place(&self) -> Option<Position> {
+        match self {
+            Self::Input(error) => Some(error.position()),
+            _ => None,
+        }
     }
 }
 

@@ -13,6 +13,7 @@ mod robustness;
 
 mod answer;
 mod color;
+mod complaint;
 mod failure;
 
 mod input;
@@ -25,44 +26,61 @@ mod progress;
 mod view;
 mod wording;
 
-use std::io::{self, IsTerminal, Write};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
-use miette::{GraphicalReportHandler, GraphicalTheme};
-
 use crate::answer::Answer;
-use crate::arguments::{Arguments, Command, OutputArguments};
+use crate::arguments::{Arguments, Command, CompletionsArguments, Format, OutputArguments};
+use crate::color::ColorArgument;
+use crate::complaint::{Kind, Voice};
 use crate::failure::Failure;
 
 /// Bad input; nothing was written.
 const BAD_INPUT: u8 = 1;
 
 /// A command line that does not go with the file; nothing was written. Clap uses it too.
-const WRONG_USAGE: u8 = 2;
+pub(crate) const WRONG_USAGE: u8 = 2;
 
 /// A sound question without an answer, or whose answer fails a check.
 const NO_ANSWER: u8 = 3;
 
 fn main() -> ExitCode {
-    let arguments = Arguments::parse_checked();
-    let answer = match &arguments.command {
-        Command::Analyze(a) => finish(analyze::analyze(a), &[&a.grasp], &a.output),
-        Command::Optimize(a) => finish(optimize::optimize(a), &a.files(), &a.output),
+    let arguments = match Arguments::parsed() {
+        Ok(arguments) => arguments,
+        Err(code) => return code,
     };
+    let (answer, output) = match &arguments.command {
+        Command::Analyze(a) => (finish(analyze::analyze(a), &[&a.grasp], &a.output), &a.output),
+        Command::Optimize(a) => (finish(optimize::optimize(a), &a.files(), &a.output), &a.output),
+        Command::Completions(a) => return completed(a),
+    };
+    let voice = Voice::of(output);
     match answer {
         Ok(Answer { reason: Some(reason), .. }) => {
-            complain(&format!("clench: no answer: {reason}\n"));
+            voice.unanswered(Kind::NoAnswer, &reason, NO_ANSWER);
             ExitCode::from(NO_ANSWER)
         }
         Ok(Answer { failed_check: Some(reasons), .. }) => {
-            complain(&format!("clench: the check failed: {reasons}\n"));
+            voice.unanswered(Kind::CheckFailed, &reasons, NO_ANSWER);
             ExitCode::from(NO_ANSWER)
         }
         Ok(_) => ExitCode::SUCCESS,
+        Err(failure) => failed(voice, &failure),
+    }
+}
+
+fn failed(voice: Voice, failure: &Failure) -> ExitCode {
+    let code = if failure.is_usage() { WRONG_USAGE } else { BAD_INPUT };
+    voice.failed(failure, code);
+    ExitCode::from(code)
+}
+
+/// Writes what makes a shell complete the command line.
+fn completed(arguments: &CompletionsArguments) -> ExitCode {
+    match output::write_report(&arguments.script()) {
+        Ok(()) => ExitCode::SUCCESS,
         Err(failure) => {
-            complain(&shown(&failure));
-            ExitCode::from(if failure.is_usage() { WRONG_USAGE } else { BAD_INPUT })
+            failed(Voice { format: Format::Text, color: ColorArgument::Auto }, &failure)
         }
     }
 }
@@ -88,23 +106,4 @@ fn finish(
     output::write_report(&answer.report)?;
     files.iter().try_for_each(|(path, content)| output::write_file(path, content))?;
     Ok(answer)
-}
-
-/// The failure with the lines of the file that it is about.
-fn shown(failure: &Failure) -> String {
-    let plain = std::env::var_os("NO_COLOR").is_some() || !io::stderr().is_terminal();
-    let theme = if plain { GraphicalTheme::unicode_nocolor() } else { GraphicalTheme::unicode() };
-    let mut text = String::new();
-    // Long messages stay on one line, so that they can be searched for; causes are in them.
-    let handler =
-        GraphicalReportHandler::new_themed(theme).with_wrap_lines(false).without_cause_chain();
-    match handler.render_report(&mut text, failure) {
-        Ok(()) => text,
-        Err(_) => format!("clench: {failure}\n"),
-    }
-}
-
-/// Whether anybody reads standard error does not change the exit code.
-fn complain(message: &str) {
-    let _ = io::stderr().write_all(message.as_bytes());
 }

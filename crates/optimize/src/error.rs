@@ -138,8 +138,9 @@ pub enum OptimizeError {
     NowhereToTouch,
     /// All normals are so nearly parallel that rounding hides whether the part can be held.
     #[error(
-        "the edges are parallel up to {sine:e}, too little for a placement of {fingers} fingers \
-         to be told from one that holds nothing"
+        "the edges are parallel up to {sine:e}, too little for a placement of {placed} \
+         to be told from one that holds nothing",
+        placed = counted(*.fingers as f64, "finger")
     )]
     TooThin {
         /// The number of fingers.
@@ -149,9 +150,10 @@ pub enum OptimizeError {
     },
     /// The normals of no combination positively span the plane.
     #[error(
-        "no placement of {fingers} frictionless fingers holds the part: on no \
+        "no placement of {placed} holds the part: on no \
          combination of edges, of {combinations} in all, can the inward normals balance, so the \
-         part can always be pushed away"
+         part can always be pushed away",
+        placed = counted(*.fingers as f64, "frictionless finger")
     )]
     NormalsNeverBalance {
         /// The number of fingers.
@@ -161,9 +163,10 @@ pub enum OptimizeError {
     },
     /// Where normals can balance, torques cannot.
     #[error(
-        "no placement of {fingers} frictionless fingers holds the part: of {combinations} \
+        "no placement of {placed} holds the part: of {combinations} \
          combinations of edges some have normals that can balance, and on none of those do the \
-         torques balance as well, so the part can always be turned away"
+         torques balance as well, so the part can always be turned away",
+        placed = counted(*.fingers as f64, "frictionless finger")
     )]
     TorquesNeverBalance {
         /// The number of fingers.
@@ -173,8 +176,10 @@ pub enum OptimizeError {
     },
     /// No placement holds the part and fulfills the conditions as well.
     #[error(
-        "no placement of {fingers} frictionless fingers, on {combinations} combinations of edges \
-         or faces, both holds the part and fulfills the conditions on it"
+        "no placement of {placed}, on {all} of edges \
+         or faces, both holds the part and fulfills the conditions on it",
+        placed = counted(*.fingers as f64, "frictionless finger"),
+        all = counted(*.combinations, "combination")
     )]
     ConditionsNeverMet {
         /// The number of fingers.
@@ -251,7 +256,11 @@ pub enum OptimizeError {
     #[error("at most 0 fingers on a face leave no place for any")]
     MostOnFace,
     /// There are fewer candidates than fingers.
-    #[error("{found} candidates are too few for {fingers} fingers")]
+    #[error(
+        "found {given}, too few for {placed}",
+        given = counted(*.found as f64, "candidate"),
+        placed = counted(*.fingers as f64, "finger")
+    )]
     TooFewCandidates {
         /// How many there are.
         found: usize,
@@ -282,9 +291,10 @@ pub enum OptimizeError {
     },
     /// All forces that contacts can have help one motion.
     #[error(
-        "no placement of {fingers} frictionless fingers holds the part: it can always escape \
+        "no placement of {placed} holds the part: it can always escape \
          along one motion, {motion}, which no force on it opposes",
-        motion = crate::polyhedron::described(motion)
+        motion = crate::polyhedron::described(motion),
+        placed = counted(*.fingers as f64, "frictionless finger")
     )]
     AlwaysEscapes {
         /// The number of fingers to be placed.
@@ -294,8 +304,10 @@ pub enum OptimizeError {
     },
     /// Each combination was excluded, none by one motion for all.
     #[error(
-        "no placement of {fingers} frictionless fingers holds the part: on each of \
-         {combinations} combinations some motion stays free"
+        "no placement of {placed} holds the part: on each of \
+         {all} some motion stays free",
+        placed = counted(*.fingers as f64, "frictionless finger"),
+        all = counted(*.combinations, "combination")
     )]
     NeverHeld {
         /// The number of fingers to be placed.
@@ -305,8 +317,9 @@ pub enum OptimizeError {
     },
     /// The search was stopped before it found a placement.
     #[error(
-        "the search for {fingers} fingers was stopped before it found a placement; none is \
-         better than {upper_bound:.4e}"
+        "the search for {placed} was stopped before it found a placement; none is \
+         better than {upper_bound:.4e}",
+        placed = counted(*.fingers as f64, "finger")
     )]
     NothingFound {
         /// The number of fingers.
@@ -316,4 +329,10 @@ pub enum OptimizeError {
         /// What no placement surpasses (force / length).
         upper_bound: f64,
     },
+}
+
+/// So many things: one, or several.
+fn counted(count: f64, thing: &str) -> String {
+    let plural = if (count - 1.0).abs() > 0.0 { "s" } else { "" };
+    format!("{count} {thing}{plural}")
 }

@@ -69,4 +69,26 @@ pub enum GraspError {
         /// How many contacts there are.
         contacts: usize,
     },
+    /// As many least forces as there are contacts are needed.
+    #[error("found {found} least forces, expected one for each of {expected} contacts")]
+    LeastForces {
+        /// How many were given.
+        found: usize,
+        /// How many contacts there are.
+        expected: usize,
+    },
+    /// A least force is negative or not finite.
+    #[error("the least force of contact {contact} is {value}, but has to be finite, 0 or more")]
+    LeastForce {
+        /// The contact, from 0.
+        contact: usize,
+        /// What was found.
+        value: f64,
+    },
+    /// The part of its preload that a contact keeps is negative, or 1 or more.
+    #[error("the reserve is {value}, but has to be from 0 to below 1")]
+    Reserve {
+        /// What was found.
+        value: f64,
+    },
 }

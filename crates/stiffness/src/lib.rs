@@ -34,6 +34,7 @@ mod grasp;
 mod load;
 
 mod equilibrium;
+mod lift_off;
 mod preloads;
 mod reactions;
 mod response;
@@ -44,6 +45,7 @@ mod error;
 pub use equilibrium::{BALANCED, Equilibrium};
 pub use error::GraspError;
 pub use grasp::Grasp;
+pub use lift_off::{Basis, LeastPreloads, Needed, NeededPreloads, Remedy};
 pub use load::DeadLoad;
 pub use preloads::{BestPreload, Preloads};
 pub use reactions::reactions;

@@ -15,15 +15,15 @@ const ZERO_MARGIN: f64 = 16.0 * f64::EPSILON;
 
 /// A coefficient of the linear program below this, per contact, is rounding of a unit vector, and
 /// would only spoil the program's scaling.
-const ZERO_COEFFICIENT: f64 = f64::EPSILON;
+pub(crate) const ZERO_COEFFICIENT: f64 = f64::EPSILON;
 
 /// The total of a null vector below this, per contact, is rounding: the vector is one of a basis
 /// that is orthonormal to a few roundings per entry.
-const ZERO_TOTAL: f64 = 16.0 * f64::EPSILON;
+pub(crate) const ZERO_TOTAL: f64 = 16.0 * f64::EPSILON;
 
 /// A share of the total below this is none: the linear programs decide what is feasible to about
 /// this.
-const NO_SHARE: f64 = 1e-9;
+pub(crate) const NO_SHARE: f64 = 1e-9;
 
 /// The contact forces that balance by themselves: the null space of the wrench map.
 ///
@@ -66,11 +66,7 @@ impl<const N: usize, const M: usize> Grasp<N, M> {
     /// solver does not find.
     pub fn preloads(&self) -> Result<Preloads, GraspError> {
         let count = self.contacts().len();
-        // Preloads that balance to the digits of a file are balanced: points of as few digits must
-        // not make a wrench that no forces can have.
-        let balanced = self.loads().is_empty() && self.total_preload() > 0.0;
-        let given = if balanced && self.equilibrium().holds { BALANCED } else { 0.0 };
-        let (rank, basis) = self.null_space(N + M, given);
+        let (rank, basis) = self.balanced_forces();
         let best = best_preload(&basis)?;
         let can_press = best.as_ref().is_some_and(|b| b.margin > ZERO_MARGIN * count as f64);
         let unopposed =
@@ -78,17 +74,32 @@ impl<const N: usize, const M: usize> Grasp<N, M> {
         Ok(Preloads { rank, force_closure: rank == N + M && can_press, basis, best, unopposed })
     }
 
+    /// The rank of the wrench map, and its null vectors.
+    ///
+    /// Preloads that balance to the digits of a file are balanced: points of as few digits must not
+    /// make a wrench that no forces can have.
+    pub(crate) fn balanced_forces(&self) -> (usize, Vec<Vec<f64>>) {
+        let balanced = self.loads().is_empty() && self.total_preload() > 0.0;
+        let given = if balanced && self.equilibrium().holds { BALANCED } else { 0.0 };
+        self.null_space(N + M, given)
+    }
+
+    /// The first `rows` of the wrench map, torques divided by the grasp's length.
+    pub(crate) fn wrench_map(&self, rows: usize) -> Mat<f64> {
+        let length = self.torque_length();
+        let columns: Vec<_> =
+            self.contacts().iter().map(|c| c.unit_wrench(self.centroid())).collect();
+        Mat::from_fn(rows, columns.len(), |i, j| {
+            if i < N { columns[j].force[i] } else { columns[j].torque[i - N] / length }
+        })
+    }
+
     /// The rank and the null vectors of the first `rows` of the wrench map: of all, or of the
     /// forces alone. Singular values of the part `given` of the largest, per contact, count as
     /// zero.
     fn null_space(&self, rows: usize, given: f64) -> (usize, Vec<Vec<f64>>) {
         let count = self.contacts().len();
-        let length = self.torque_length();
-        let columns: Vec<_> =
-            self.contacts().iter().map(|c| c.unit_wrench(self.centroid())).collect();
-        let map = Mat::from_fn(rows, count, |i, j| {
-            if i < N { columns[j].force[i] } else { columns[j].torque[i - N] / length }
-        });
+        let map = self.wrench_map(rows);
         #[expect(clippy::expect_used, reason = "a grasp's wrench map is finite by construction")]
         let svd = map.svd().expect("the singular values of a finite matrix converge");
         let values = svd.S().column_vector();
@@ -140,7 +151,7 @@ fn largest_share(basis: &[Vec<f64>], contact: usize) -> Result<f64, GraspError> 
 }
 
 /// A variable without bounds.
-const FREE: (f64, f64) = (f64::NEG_INFINITY, f64::INFINITY);
+pub(crate) const FREE: (f64, f64) = (f64::NEG_INFINITY, f64::INFINITY);
 
 /// A linear program over the weights `y` of null vectors, with `sum(B y)` equal to or at most 1.
 struct Program {
@@ -189,6 +200,6 @@ impl Program {
 }
 
 /// `value`, or 0 where it is no larger than `noise`.
-fn above(value: f64, noise: f64) -> f64 {
+pub(crate) fn above(value: f64, noise: f64) -> f64 {
     if value.abs() > noise { value } else { 0.0 }
 }

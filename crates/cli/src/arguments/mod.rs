@@ -3,12 +3,16 @@
 mod optimize;
 mod value;
 
+use std::env;
+use std::ffi::OsString;
 use std::path::PathBuf;
+use std::process::ExitCode;
 
 use clap::error::ErrorKind;
 use clap::{Args, CommandFactory, Parser, Subcommand, ValueEnum};
 
 use crate::color::ColorArgument;
+use crate::{WRONG_USAGE, complaint};
 
 pub(crate) use optimize::{ObjectiveArgument, OptimizeArguments};
 pub(crate) use value::FrameArgument;
@@ -80,18 +84,35 @@ Not checked: fingers may overlap each other or the part away from their contacts
 whether there is room for them, except for --least-distance and --margin on an outline. With four
 and more fingers the radius enters the optimum by the least distance only.
 
-Exit codes: 0 an answer; 1 bad input, nothing written; 2 wrong usage; 3 no answer, with the reason.
+Exit codes: 0 an answer; 1 bad input, nothing written; 2 wrong usage; 3 no answer, or a check that
+failed, with the reason."#;
 
-Examples:
+const SHORT: &str = "More with --help.";
+
+const ANALYZE: &str = "\
+Examples of analyze:
+  clench analyze grasp.toml                  # a report to read
+  clench analyze grasp.toml --check          # exit code 3 unless all load cases pass
+  clench analyze grasp.toml --format json    # all digits, for programs
+  clench analyze grasp.toml --svg grasp.svg
+  clench analyze grasp.json --frame 20,10,0.5
+  clench analyze cube-grasp.toml --frame 50,50,50,0,0,0
+  clench optimize bracket.toml --fingers 4 --format json | clench analyze -";
+
+const OPTIMIZE: &str = "\
+Examples of optimize:
   clench optimize bracket.toml --fingers 4 --svg bracket.svg
-  clench optimize bracket.toml --fingers 4 --preload 200 --top 3 --report bracket.html
   clench optimize bracket.toml --fingers 3 --preload 200 --format json > grasp.json
   clench optimize bracket.toml --fingers 6 --finger-radius 4 --margin 5 --forbid 2 --time 60
   clench optimize bracket.toml --fingers 4 --objective rotation --least-translation 3e4
   clench optimize block.toml --fix locators.toml --fingers 2 --least-share 0.02 --svg clamps.svg
-  clench optimize block.toml --fix locators.toml --candidates places.toml --fingers 3
-  clench analyze grasp.json --frame 20,10,0.5
-  clench analyze cube-grasp.toml --frame 50,50,50,0,0,0"#;
+  clench optimize block.toml --fix locators.toml --candidates places.toml --fingers 3";
+
+const COMPLETIONS: &str = "\
+Examples of completions:
+  clench completions bash > ~/.local/share/bash-completion/completions/clench
+  clench completions zsh > ~/.zfunc/_clench
+  clench completions fish > ~/.config/fish/completions/clench.fish";
 
 /// How well a compliant grasp or fixture holds a part, and where to put the fingers.
 ///
@@ -99,7 +120,8 @@ Examples:
 /// deflection: it does not depend on the frame (Lin, Burdick, Rimon: A Quality Measure for
 /// Compliant Grasps).
 #[derive(Debug, Parser)]
-#[command(name = "clench", version, after_long_help = FILE, after_help = "More with --help.")]
+#[command(name = "clench", version, after_help = SHORT)]
+#[command(after_long_help = format!("{FILE}\n\n{ANALYZE}\n{OPTIMIZE}\n{COMPLETIONS}"))]
 pub(crate) struct Arguments {
     #[command(subcommand)]
     pub(crate) command: Command,
@@ -108,12 +130,29 @@ pub(crate) struct Arguments {
 /// What to do.
 #[derive(Debug, Subcommand)]
 pub(crate) enum Command {
-    /// Report stiffness, stability, quality and centers of a grasp, and what load cases do to it.
-    #[command(after_long_help = FILE)]
+    /// Report stiffness, stability, quality and centers of a grasp, and whether load cases keep
+    /// their tolerances.
+    #[command(after_help = SHORT, after_long_help = format!("{FILE}\n\n{ANALYZE}"))]
     Analyze(AnalyzeArguments),
-    /// Find the placement of fingers with the greatest quality, and prove that it is.
-    #[command(after_long_help = FILE)]
+    /// Find the best placement of fingers, with a bound that no other placement surpasses.
+    ///
+    /// On an outline the placement has the greatest quality, and the search goes on until that is
+    /// proved. On a solid it has the greatest worst-point stiffness, and the search ends when the
+    /// bound is near enough, or after some time: see --objective, --gap and --time. The bound holds
+    /// however the search ends.
+    #[command(after_help = SHORT, after_long_help = format!("{FILE}\n\n{OPTIMIZE}"))]
     Optimize(Box<OptimizeArguments>),
+    /// Write the script that makes a shell complete the options of clench.
+    #[command(after_help = SHORT, after_long_help = COMPLETIONS)]
+    Completions(CompletionsArguments),
+}
+
+/// Which shell to complete for.
+#[derive(Debug, Args)]
+pub(crate) struct CompletionsArguments {
+    /// The shell.
+    #[arg(value_enum)]
+    shell: clap_complete::Shell,
 }
 
 /// What to analyze, and how.
@@ -134,6 +173,11 @@ pub(crate) struct AnalyzeArguments {
     /// tolerance is kept.
     #[arg(long)]
     pub(crate) check: bool,
+    /// The part of its preload, from 0 to below 1, that each contact keeps at least under every
+    /// load case with the preloads that the report says are needed.
+    #[arg(long, value_name = "R", value_parser = value::reserve, default_value = "0")]
+    #[arg(allow_hyphen_values = true)]
+    pub(crate) reserve: f64,
     /// Report how the measures change with each contact's place, stiffness and preload, also if the
     /// file has no tolerances of contacts.
     #[arg(long)]
@@ -186,16 +230,41 @@ pub(crate) enum Format {
 }
 
 impl Arguments {
-    /// The command line; wrong usage ends the program, with code 2.
-    pub(crate) fn parse_checked() -> Self {
-        let arguments = Self::parse();
-        let checked = match &arguments.command {
+    /// The command line. If it is wrong, that is said, in JSON where the report would be; if it
+    /// asks for help, that is written: the program then ends with this code.
+    pub(crate) fn parsed() -> Result<Self, ExitCode> {
+        let words: Vec<OsString> = env::args_os().collect();
+        Self::try_parse_from(&words).and_then(Self::checked).map_err(|error| {
+            if error.use_stderr() && asks_for_json(&words) {
+                complaint::misused(&error.render().to_string(), WRONG_USAGE);
+                return ExitCode::from(WRONG_USAGE);
+            }
+            error.exit()
+        })
+    }
+
+    fn checked(self) -> Result<Self, clap::Error> {
+        let checked = match &self.command {
             Command::Analyze(question) => question.output.checked(),
             Command::Optimize(question) => question.checked().and(question.output.checked()),
+            Command::Completions(_) => Ok(()),
         };
-        if let Err((kind, message)) = checked {
-            Self::command().error(kind, message).exit();
-        }
-        arguments
+        checked.map_err(|(kind, message)| Self::command().error(kind, message))?;
+        Ok(self)
     }
+}
+
+impl CompletionsArguments {
+    /// The script for the shell.
+    pub(crate) fn script(&self) -> String {
+        let mut script = Vec::new();
+        clap_complete::generate(self.shell, &mut Arguments::command(), "clench", &mut script);
+        String::from_utf8_lossy(&script).into_owned()
+    }
+}
+
+/// Whether a command line that may be wrong has `--format json`.
+fn asks_for_json(words: &[OsString]) -> bool {
+    let pair = |pair: &[OsString]| pair[0] == "--format" && pair[1] == "json";
+    words.windows(2).any(pair) || words.iter().any(|word| word == "--format=json")
 }

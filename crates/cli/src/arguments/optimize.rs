@@ -174,6 +174,15 @@ impl OptimizeArguments {
             let message = "--least-translation goes with --objective rotation only".to_owned();
             return Err((ErrorKind::ArgumentConflict, message));
         }
+        let files = [("the part", Some(&self.part)), ("--fix", self.fix.as_ref())];
+        let files = files.into_iter().chain([("--candidates", self.candidates.as_ref())]);
+        let from_input = files.filter(|(_, file)| file.is_some_and(|file| file.as_os_str() == "-"));
+        let names: Vec<&str> = from_input.map(|(name, _)| name).collect();
+        if names.len() > 1 {
+            let names = names.join(" and ");
+            let message = format!("{names} are all `-`, but there is one standard input");
+            return Err((ErrorKind::ArgumentConflict, message));
+        }
         Ok(())
     }
 

@@ -49,6 +49,12 @@ pub(super) fn not_negative(text: &str) -> Result<f64, String> {
     if value >= 0.0 { Ok(value) } else { Err(format!("found {value}, expected 0 or more")) }
 }
 
+pub(super) fn reserve(text: &str) -> Result<f64, String> {
+    let value = finite(text)?;
+    let fits = (0.0..1.0).contains(&value);
+    if fits { Ok(value) } else { Err(format!("found {value}, expected from 0 to below 1")) }
+}
+
 pub(super) fn one_or_more(text: &str) -> Result<NonZeroUsize, String> {
     let count: Option<usize> = text.trim().parse().ok();
     count.and_then(NonZeroUsize::new).ok_or_else(|| format!("found {text}, expected 1 or more"))

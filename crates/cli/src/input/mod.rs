@@ -38,7 +38,7 @@ mod toml_tree;
 
 pub(crate) use boundary::{Piece, PieceKind};
 pub(crate) use document::Document;
-pub(crate) use fault::{InputError, LoadFault};
+pub(crate) use fault::{InputError, LoadFault, Position};
 pub(crate) use given::{GivenContact, Holder, given_contacts};
 pub(crate) use grasp::{FileGrasp, planar_grasp, spatial_grasp};
 pub(crate) use load::{LoadCase, NamedPoint, PointForce, PointTolerance};

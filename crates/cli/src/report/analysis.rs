@@ -8,6 +8,7 @@ use serde::Serialize;
 use super::case_verdict::OverallVerdict;
 use super::load_case::LoadCaseReport;
 use super::measures::{InPlane, InSpace, MetricsReport};
+use super::needed::NeededReport;
 use super::number::{UnitNames, in_plane_a_number};
 use super::robustness::RobustnessReport;
 use super::verdict::{FreeMotion, Verdict};
@@ -49,6 +50,9 @@ pub(crate) struct AnalysisReport<'a> {
     /// On the load cases, if the file has any.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub(crate) verdict: Option<OverallVerdict>,
+    /// For the load cases.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(crate) needed_preloads: Option<NeededReport>,
     pub(crate) force_closure: bool,
     /// `t*`, the least share of the balanced preload whose least share is largest.
     pub(crate) preload_margin: Option<f64>,
@@ -195,6 +199,7 @@ impl<'a> AnalysisReport<'a> {
                 analysis.unanswered,
                 verdict.reason.as_deref(),
             ),
+            needed_preloads: NeededReport::new(analysis, &load_cases),
             robustness: RobustnessReport::new(analysis),
             load_cases,
             force_closure: analysis.preloads.force_closure,

@@ -32,6 +32,7 @@ impl fmt::Display for AnalysisText<'_> {
         self.axes(&mut page);
         self.robustness(&mut page);
         self.load_cases(&mut page);
+        self.needed_preloads(&mut page);
         page.line("");
         self.stiffness(&mut page);
         page.fmt(out)

@@ -14,6 +14,8 @@ mod case_verdict;
 mod case_verdict_text;
 mod load_case;
 mod load_case_text;
+mod needed;
+mod needed_text;
 
 mod robustness;
 mod robustness_text;

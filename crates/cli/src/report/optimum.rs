@@ -163,7 +163,7 @@ impl<'a> OptimumReport<'a> {
         (best, others): (PlacementReport, Vec<PlacementReport>),
     ) -> Self {
         let all = std::iter::once(best.clone()).chain(others.iter().cloned());
-        let top = if others.is_empty() { Vec::new() } else { all.collect() };
+        let top = if question.effort.top.get() > 1 { all.collect() } else { Vec::new() };
         let ended = EndWord::from(outcome.certificate.ended);
         let Combinations { total, examined, nodes } = outcome.combinations;
         Self {

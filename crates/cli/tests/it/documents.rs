@@ -154,7 +154,7 @@ fn the_keys_of_the_reports_are_those_of_the_page() {
     assert_eq!(keys(&planar), listed(&[analyze, "| in the plane | value"]));
     let spatial = folder.json("analyze parts/cube-grasp.toml");
     let mut found = keys(&spatial);
-    for of_load_cases in ["load_cases", "verdict"] {
+    for of_load_cases in ["load_cases", "verdict", "needed_preloads"] {
         assert!(found.remove(of_load_cases), "{of_load_cases}");
     }
     assert_eq!(found, listed(&[analyze, "| in space | value"]));

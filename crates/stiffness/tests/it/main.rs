@@ -9,6 +9,7 @@
 )]
 
 mod laws;
+mod lift_off;
 mod limits;
 mod random;
 mod reactions;

@@ -36,10 +36,23 @@ pub(super) struct Located {
 pub(crate) struct InputError {
     /// The file, the line and the column, and the field.
     at: String,
+    file: String,
+    position: Position,
     #[source]
     fault: Fault,
     /// Nothing to show where something is missing.
     excerpt: Option<Excerpt>,
+}
+
+/// A place in the text of a file.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) struct Position {
+    /// From 1.
+    pub(crate) line: usize,
+    /// In characters, from 1.
+    pub(crate) column: usize,
+    /// The path of the value, if it is about one.
+    pub(crate) field: Option<String>,
 }
 
 impl InputError {
@@ -58,7 +71,19 @@ impl InputError {
         } else {
             format!("{name}:{line}:{column}: {place}")
         };
-        Self { at, fault, excerpt: Some(excerpt) }
+        let field = (!place.steps().is_empty()).then(|| place.to_string());
+        let position = Position { line, column, field };
+        Self { at, file: name.to_owned(), position, fault, excerpt: Some(excerpt) }
+    }
+
+    /// The name of the file.
+    pub(crate) fn file(&self) -> &str {
+        &self.file
+    }
+
+    /// Where in the file.
+    pub(crate) fn position(&self) -> Position {
+        self.position.clone()
     }
 
     /// The same error, without the text around it: what it is about is not in the file.

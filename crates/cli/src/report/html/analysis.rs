@@ -39,6 +39,7 @@ pub(crate) fn of_analysis(
     let sections = [
         Section::filled("Grasp", grasp(text, figures)),
         Section::filled("Load cases", load_cases(text, figures)),
+        Section::filled("Preloads that the load cases need", needed(text)),
         Section::filled("Contacts", set(&contacts)),
         Section::filled("Stiffness", set(&numbers)),
         Section::filled("Stiffness matrix", set(&|page| text.stiffness(page))),
@@ -114,6 +115,12 @@ fn load_cases(text: &AnalysisText<'_>, figures: &Figures) -> Markup {
             (one(text, number, case))
         }
     }
+}
+
+fn needed(text: &AnalysisText<'_>) -> Markup {
+    let mut page = Page::default();
+    text.needed_preloads(&mut page);
+    html!((page))
 }
 
 fn one(text: &AnalysisText<'_>, number: usize, case: &LoadCaseReport) -> Markup {
