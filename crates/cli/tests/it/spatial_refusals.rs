@@ -34,7 +34,10 @@ fn options_that_do_not_go_with_a_solid_are_wrong_usage() {
             "--fingers 3 --fix fix.toml --least-share 0.2",
             ["--least-share: ", "from 0 to below 0.1"],
         ),
-        ("--fingers 7 --candidates places.toml", ["--candidates: 6 candidates", "for 7 fingers"]),
+        (
+            "--fingers 7 --candidates places.toml",
+            ["--candidates: found 6 candidates", "for 7 fingers"],
+        ),
         ("--fingers 7 --least-translation 1", ["--least-translation goes with", "rotation only"]),
     ] {
         refused(&folder, &format!("cube.toml {options}"), 2, &pieces);
