@@ -86,6 +86,7 @@ fn steps(libraries: &[&Package]) -> Vec<Step> {
         Step::new("tidy", "xtask tidy", "as each finding says, then cargo xtask tidy"),
         Step::new("paper", "xtask paper --check", "cargo xtask paper, and look at the change"),
         Step::new("guide", "xtask guide --check", "cargo xtask guide, and look at the change"),
+        Step::new("browser", "xtask browser", "cargo xtask browser, which says what is missing"),
     ];
     steps.extend(libraries.iter().flat_map(|library| alone(library)));
     // `--benches` in the profile of the tests: `cargo bench` would build every dependency again.
@@ -135,7 +136,10 @@ mod tests {
         names.dedup();
         assert_eq!(
             names,
-            ["fmt", "clippy", "tests", "docs", "tidy", "paper", "guide", "alone", "benches"]
+            [
+                "fmt", "clippy", "tests", "docs", "tidy", "paper", "guide", "browser", "alone",
+                "benches"
+            ]
         );
     }
 

@@ -51,6 +51,9 @@ pub(crate) enum Failure {
     /// A number of the guide could not be computed.
     #[error("cannot compute the example of the guide: {0}")]
     Guide(clench::contact::ContactError),
+    /// A page is not as it should be in a browser.
+    #[error(transparent)]
+    Browser(crate::browser::BrowserError),
     /// The library could not be compared with others, or they contradict it.
     #[error(transparent)]
     Peers(crate::peers::PeersError),

@@ -5,6 +5,7 @@
     reason = "a chore talks to the person at the terminal"
 )]
 
+mod browser;
 mod ci;
 mod failure;
 mod guide;
@@ -25,6 +26,7 @@ usage: cargo xtask TASK
   tidy    the rules of the repository that no compiler checks
   paper   the paper's numbers and figures, into docs/paper; --check writes nothing
   guide   the pictures of the guide, into docs/guide; --check writes nothing
+  browser the pages of --report in a browser without a screen; needs Chromium and its driver
   peers   the library beside SCIP and NumPy, on standard output; needs Python 3; not part of ci
 ";
 
@@ -38,6 +40,7 @@ fn main() -> ExitCode {
         ["paper", "--check"] => paper::run(Mode::Check),
         ["guide"] => guide::run(Mode::Write),
         ["guide", "--check"] => guide::run(Mode::Check),
+        ["browser"] => browser::run(),
         ["peers"] => peers::run(),
         _ => {
             eprint!("{USAGE}");

@@ -17,7 +17,7 @@ const VIEWS: [(&str, &str); 4] =
 /// What a page with a view may run: these scripts and no others, by their SHA-256.
 pub(super) const POLICY: &str = "default-src 'none'; style-src 'unsafe-inline'; script-src \
     'sha256-lKfWBFBwm4qZ6ENoqOOvFZhEcstx33ozVcUjs3tyDGQ=' \
-    'sha256-xk8bOu9NTB6lAtVTLFC4famMrunym9nHN8TCNyPdSuQ='";
+    'sha256-rODxVVSOoCHWDBpSCnmz56fDCzj3vsfKFPYboAF1iGU='";
 
 /// The part with its fingers: a picture, and a view that takes its place if there is a scene.
 /// `cases` are the names of the load cases that the view can show.
