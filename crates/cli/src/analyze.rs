@@ -14,11 +14,13 @@ use crate::arguments::{AnalyzeArguments, Format, OrderArgument};
 use crate::color::Paint;
 use crate::failure::Failure;
 use crate::held::{Classes, NotHeld, Slack, held};
-use crate::input::{self, Document, FileGrasp, LoadFault, NamedPoint, Part, Piece, Place, schema};
+use crate::input::{
+    self, Asked, Document, FileGrasp, LoadFault, NamedPoint, Part, Piece, Place, schema,
+};
 use crate::metrics::Metrics;
 use crate::picture::{self, Figures, Picture};
 use crate::report::html::{self, Inputs};
-use crate::report::{self, AnalysisReport, AnalysisText};
+use crate::report::{self, AnalysisReport, AnalysisText, DrawingReport};
 use crate::response::{Remedies, Response};
 use crate::robustness::Robustness;
 use crate::view::View;
@@ -84,10 +86,11 @@ struct Shown {
 
 /// Runs the command.
 pub(crate) fn analyze(arguments: &AnalyzeArguments) -> Result<Answer, Failure> {
-    let (document, file) = Document::read(&arguments.grasp)?;
+    let (document, mut file) = Document::read(&arguments.grasp)?;
     if arguments.check && file.load_cases.is_empty() {
         return Err(Failure::NothingToCheck { name: document.name().to_owned() });
     }
+    let drawn = input::drawn(&document, &mut file, &Asked::default())?;
     let question = Question { arguments, document: &document, units: &file.units };
     let frame = arguments.frame.as_ref();
     match input::part(&document, &file.part)? {
@@ -97,8 +100,10 @@ pub(crate) fn analyze(arguments: &AnalyzeArguments) -> Result<Answer, Failure> {
             let analysis = question.analysis(&found, body.shape.extent(), view)?;
             let picture = picture::of_analysis(&analysis, &body.shape);
             let figures = question.shown(|| Figures::of_analysis(&analysis, &picture))?;
-            let shown = Shown { picture: Picture::Outline(picture), figures, meshes: Vec::new() };
-            question.answer(AnalysisReport::planar(&analysis), shown)
+            let drawing = drawn.as_ref().map(DrawingReport::new);
+            let meshes = drawn.map(|drawn| drawn.path).into_iter().collect();
+            let shown = Shown { picture: Picture::Outline(picture), figures, meshes };
+            question.answer(AnalysisReport { drawing, ..AnalysisReport::planar(&analysis) }, shown)
         }
         Part::Spatial(body) => {
             let found = input::spatial_grasp(&document, &file, &body)?;
@@ -212,7 +217,7 @@ impl<'a> Question<'a> {
         };
         let mut page = None;
         if let Some(figures) = &figures {
-            let inputs = Inputs { texts: &[self.document.source()], others: &meshes };
+            let inputs = Inputs { texts: &self.document.sources(), others: &meshes };
             page = Some(html::of_analysis(&words(Paint::Plain), figures, inputs)?);
         }
         let failed = report.verdict.filter(|verdict| self.arguments.check && !verdict.passes);

@@ -36,6 +36,27 @@ pub(crate) enum Failure {
     /// Options that do not go with the part.
     #[error("{message}")]
     Usage { message: String },
+    /// A drawing without a part file, and no option in its place.
+    #[error(
+        "a drawing in place of a part file needs --stiffness <K>, that of a contact (force / \
+         length)"
+    )]
+    NoStiffness,
+    /// Stiffnesses that contradict each other.
+    #[error(
+        "--stiffness: found several, expected one number, or LAYER=K once for each layer of a \
+         drawing"
+    )]
+    StiffnessTwice,
+    /// An option that says what the part file has to say.
+    #[error(
+        "{option} goes with a drawing or a mesh in place of a part file, expected the same in the \
+         part file"
+    )]
+    AloneOption { option: &'static str },
+    /// An option about drawings where there is none.
+    #[error("{option} goes with a drawing only")]
+    DrawingOption { option: &'static str },
     /// The frame of the command line has another dimension than the part.
     #[error("--frame has {found} numbers, expected three for a planar part: x,y,angle")]
     PlanarFrame { found: usize },
@@ -71,6 +92,10 @@ impl Failure {
         matches!(
             self,
             Self::Usage { .. }
+                | Self::NoStiffness
+                | Self::StiffnessTwice
+                | Self::AloneOption { .. }
+                | Self::DrawingOption { .. }
                 | Self::PlanarFrame { .. }
                 | Self::SpatialFrame { .. }
                 | Self::NothingToCheck { .. }

@@ -1,6 +1,7 @@
 //! The command line.
 
 mod optimize;
+mod part;
 mod value;
 
 use std::env;
@@ -30,6 +31,9 @@ const FILE: &str = r#"A part file, in TOML (or the same in JSON):
 Other parts, one shape each; `optimize` takes outlines, and solids with faces:
 
   [part.planar]                              # instead of an outline:
+  drawing = "bracket.dxf"                    # DXF or SVG, beside this file; with, if needed,
+  layers = ["OUTLINE", "BORES"]              # only these, and
+  chord = 0.01                               # how far edges may be from its curves; or
   ellipse = [40, 25]                         # semi-axes; center = [x, y] if not the origin
   [part.spatial]
   vertices = [[0, 0, 0], ..]                 # with
@@ -101,6 +105,7 @@ Examples of analyze:
 
 const OPTIMIZE: &str = "\
 Examples of optimize:
+  clench optimize bracket.dxf --fingers 4 --stiffness 5e4 --units mm
   clench optimize bracket.toml --fingers 4 --svg bracket.svg
   clench optimize bracket.toml --fingers 3 --preload 200 --format json > grasp.json
   clench optimize bracket.toml --fingers 6 --finger-radius 4 --margin 5 --forbid 2 --time 60

@@ -10,6 +10,7 @@ use clench::optimize::polygon::MOST_FINGERS;
 use clench::optimize::{Effort, Objective};
 
 use super::OutputArguments;
+use super::part::PartArguments;
 use super::value;
 use crate::input::schema::Forbidden;
 
@@ -26,7 +27,7 @@ const FEWEST_ON_OUTLINE: usize = 3;
 /// What to optimize, and how.
 #[derive(Debug, Args)]
 pub(crate) struct OptimizeArguments {
-    /// The part file.
+    /// The part file, or a drawing (.dxf, .svg) or a mesh (.stl, .obj) with --stiffness.
     pub(crate) part: PathBuf,
     /// The number of frictionless fingers to place: from 3 to 8 on an outline; on a solid from 1 to
     /// 12, from 7 to 16 with those of --fix.
@@ -75,8 +76,8 @@ pub(crate) struct OptimizeArguments {
     #[arg(allow_hyphen_values = true)]
     pub(crate) margin: Option<f64>,
     /// Outlines only: no finger on this edge, or on this stretch of it: --forbid 3 --forbid 5:0-10.
-    /// Lengths count from the edge's start. May be given several times, and adds to what the file
-    /// forbids.
+    /// Lengths count from the edge's start; layer:NAME stands for all edges on a layer of a
+    /// drawing. May be given several times, and adds to what the file forbids.
     #[arg(long, value_name = "EDGE[:FROM-TO]", value_parser = value::forbidden)]
     #[arg(allow_hyphen_values = true)]
     pub(crate) forbid: Vec<Forbidden>,
@@ -107,6 +108,8 @@ pub(crate) struct OptimizeArguments {
     #[arg(long, value_name = "N", value_parser = value::nodes)]
     #[arg(allow_hyphen_values = true)]
     nodes: Option<u64>,
+    #[command(flatten)]
+    pub(crate) of_part: PartArguments,
     #[command(flatten)]
     pub(crate) output: OutputArguments,
 }

@@ -5,8 +5,8 @@ use std::time::Duration;
 
 use clench::optimize::polyhedron::MOST_FINGERS;
 
-use crate::input::schema::{Forbidden, ForbiddenStretch};
-use crate::input::{Finite, Whole};
+use crate::input::schema::{Forbidden, ForbiddenLayer, ForbiddenStretch, Units};
+use crate::input::{Finite, Label, LayerStiffness, Name, Whole};
 
 /// Beside contacts that are given, one may be placed.
 const FEWEST_FINGERS: usize = 1;
@@ -70,8 +70,40 @@ pub(super) fn seconds(text: &str) -> Result<Duration, String> {
     Duration::try_from_secs_f64(value).map_err(|_| format!("found {value:e}, expected fewer"))
 }
 
-/// `EDGE` or `EDGE:FROM-TO`.
+/// `K` or `LAYER=K`.
+pub(super) fn stiffness(text: &str) -> Result<LayerStiffness, String> {
+    // The name of a layer may have the sign itself.
+    let (layer, number) = match text.rsplit_once('=') {
+        Some((name, number)) => (Some(layer(name)?.0), number),
+        None => (None, text),
+    };
+    Ok(LayerStiffness { layer, stiffness: Finite(positive(number)?) })
+}
+
+/// `LENGTH` or `LENGTH,FORCE`.
+pub(super) fn units(text: &str) -> Result<Units, String> {
+    let named = |name: &str| {
+        layer(name.trim())
+            .map_err(|_| format!("found `{text}`, expected the name of a unit, such as mm or mm,N"))
+    };
+    let (length, force) = text.split_once(',').unwrap_or((text, "N"));
+    Ok(Units { length: named(length)?, force: named(force)? })
+}
+
+/// The name of a layer.
+pub(super) fn layer(text: &str) -> Result<Name, String> {
+    if text.trim().is_empty() || text.contains(char::is_control) {
+        return Err("found no name, expected that of a layer".to_owned());
+    }
+    Ok(Name(text.to_owned()))
+}
+
+/// `EDGE`, `EDGE:FROM-TO` or `layer:NAME`.
 pub(super) fn forbidden(text: &str) -> Result<Forbidden, String> {
+    if let Some(name) = text.strip_prefix("layer:") {
+        let layer = Label(layer(name)?.0);
+        return Ok(Forbidden::Layer(ForbiddenLayer { layer }));
+    }
     let wrong = || format!("found `{text}`, expected an edge, or EDGE:FROM-TO with FROM below TO");
     let (edge, stretch) = match text.split_once(':') {
         Some((edge, stretch)) => (edge, Some(stretch)),

@@ -8,7 +8,7 @@ use serde::Deserialize;
 use serde::de::DeserializeOwned;
 
 use super::fault::{Fault, InputError, Located};
-use super::node::Node;
+use super::node::{Node, Value};
 use super::place::Place;
 use super::reader::Reader;
 use super::schema::{self, File, VERSION};
@@ -26,6 +26,8 @@ pub(crate) struct Document {
     folder: PathBuf,
     text: String,
     root: Node,
+    /// Whether there is no file of this schema, only a drawing or a mesh and options.
+    alone: bool,
 }
 
 impl Document {
@@ -44,9 +46,21 @@ impl Document {
             InputError::new(&name, &text, &Place::default(), &span, fault)
         })?;
         let folder = path.parent().map(Path::to_owned).unwrap_or_default();
-        let document = Self { name, folder, text, root: schema::without_results(root) };
+        let root = schema::without_results(root);
+        let document = Self { name, folder, text, root, alone: false };
         let file = document.checked()?;
         Ok((document, file))
+    }
+
+    /// What stands for the part file where the drawing or mesh at `path` is the part alone.
+    pub(super) fn of_part_alone(path: &Path) -> Self {
+        Self {
+            name: path.display().to_string(),
+            folder: path.parent().map(Path::to_owned).unwrap_or_default(),
+            text: String::new(),
+            root: Node { value: Value::Null, span: 0..0 },
+            alone: true,
+        }
     }
 
     /// How reports call the file.
@@ -59,6 +73,11 @@ impl Document {
         Source { name: self.name.clone(), text: self.text.clone() }
     }
 
+    /// The same, or nothing if a drawing or a mesh stands for it.
+    pub(crate) fn sources(&self) -> Vec<Source> {
+        if self.alone { Vec::new() } else { vec![self.source()] }
+    }
+
     /// The folder from which the file names others: its own, or the current one for standard
     /// input.
     pub(crate) fn folder(&self) -> &Path {
@@ -67,6 +86,9 @@ impl Document {
 
     /// The error that the value at `place` has a fault.
     pub(crate) fn error(&self, place: &Place, fault: impl Into<Fault>) -> Failure {
+        if self.alone {
+            return InputError::of_option(&self.name, place, fault.into()).into();
+        }
         let (span, exists) = self.root.span_of(place);
         let error = InputError::new(&self.name, &self.text, place, &span, fault.into());
         if exists { error.into() } else { error.without_excerpt().into() }

@@ -2,10 +2,13 @@
 
 mod document;
 
+mod alone;
+mod drawn;
 mod part;
 mod solid;
 mod touch;
 
+mod drawing;
 mod mesh;
 
 mod given;
@@ -34,15 +37,19 @@ mod place;
 mod json_tree;
 mod node;
 mod reader;
+mod shield;
 mod toml_tree;
 
+pub(crate) use alone::{Alone, LayerStiffness, part_file};
 pub(crate) use boundary::{Piece, PieceKind};
 pub(crate) use document::Document;
+pub(crate) use drawing::layer_name;
+pub(crate) use drawn::{Asked, Drawn, drawn};
 pub(crate) use fault::{InputError, LoadFault, Position};
 pub(crate) use given::{GivenContact, Holder, given_contacts};
 pub(crate) use grasp::{FileGrasp, planar_grasp, spatial_grasp};
 pub(crate) use load::{LoadCase, NamedPoint, PointForce, PointTolerance};
-pub(crate) use number::{FileName, Finite, Whole};
+pub(crate) use number::{FileName, Finite, Label, Name, Whole};
 pub(crate) use part::{
     Body, Part, PlanarShape, Solid, SpatialShape, TouchablePart, part, touchable_part,
 };

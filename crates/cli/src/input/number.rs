@@ -1,8 +1,9 @@
 //! The scalars of the schema, each with words for what is expected of it.
 
+use std::collections::BTreeMap;
 use std::fmt;
 
-use serde::de::{Deserializer, Error, SeqAccess, Unexpected, Visitor};
+use serde::de::{Deserializer, Error, MapAccess, SeqAccess, Unexpected, Visitor};
 use serde::{Deserialize, Serialize, Serializer};
 
 /// Whole numbers up to here are exact as doubles.
@@ -34,7 +35,7 @@ impl Whole {
 pub(crate) struct Name(pub(crate) String);
 
 /// What the user calls something: it goes into reports as it is.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub(crate) struct Label(pub(crate) String);
 
 /// The path of another file.
@@ -59,6 +60,8 @@ pub(crate) struct Torque(pub(crate) Vec<f64>);
 pub(crate) enum PerPiece {
     All(Finite),
     Each(Vec<Finite>),
+    /// One for each layer of a drawing.
+    ByLayer(BTreeMap<String, Finite>),
 }
 
 impl PerPiece {
@@ -67,6 +70,8 @@ impl PerPiece {
         match self {
             Self::All(value) => vec![value.0; pieces],
             Self::Each(values) => values.iter().map(|value| value.0).collect(),
+            // Without a drawing there are no layers, and none of them has an edge.
+            Self::ByLayer(_) => Vec::new(),
         }
     }
 }
@@ -263,6 +268,14 @@ impl<'de> Visitor<'de> for PerPieceVisitor {
 
     fn expecting(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
         out.write_str("a finite number, or a list of one per edge or face")
+    }
+
+    fn visit_map<A: MapAccess<'de>>(self, mut entries: A) -> Result<PerPiece, A::Error> {
+        let mut layers = BTreeMap::new();
+        while let Some((layer, number)) = entries.next_entry()? {
+            layers.insert(layer, number);
+        }
+        Ok(PerPiece::ByLayer(layers))
     }
 
     fn visit_f64<E: Error>(self, value: f64) -> Result<PerPiece, E> {

@@ -269,7 +269,7 @@ pub(super) fn one_stiffness(
     let place = || part.clone().field("stiffness");
     match stiffness {
         None => Ok(None),
-        Some(PerPiece::Each(_)) => {
+        Some(PerPiece::Each(_) | PerPiece::ByLayer(_)) => {
             Err(document.error(&place(), PartFault::StiffnessList { reason }))
         }
         Some(PerPiece::All(value)) => {

@@ -195,7 +195,7 @@ fn face_stiffness(
         return Err(document.error(&here, fault));
     }
     let place = |face: usize| match stiffness {
-        PerPiece::All(_) => here.clone(),
+        PerPiece::All(_) | PerPiece::ByLayer(_) => here.clone(),
         PerPiece::Each(_) => here.clone().item(face),
     };
     let checked = each.into_iter().enumerate();

@@ -46,5 +46,7 @@ pub(crate) fn without(part: Part, forbidden: &Forbidden) -> Result<Part, Optimiz
         Forbidden::Stretch(ForbiddenStretch { edge, from, to }) => {
             part.without(Stretch { edge: number(edge.0), from: from.0, to: to.0 })
         }
+        // Its edges stand in the list by themselves.
+        Forbidden::Layer(_) => Ok(part),
     }
 }

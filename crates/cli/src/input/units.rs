@@ -25,6 +25,14 @@ pub(super) fn sizes(units: &schema::Units) -> Result<Units, ContactFault> {
     }
 }
 
+/// The size of a unit of length in micrometers, of which most units are whole numbers; none of one
+/// that is not known.
+pub(super) fn micrometers(name: &str) -> Option<f64> {
+    let (_, meters) = LENGTHS.iter().find(|(known, _)| *known == name)?;
+    // Ten digits are more than a unit has, and the product of its decimals has one rounding more.
+    Some((meters * 1e10).round() * 1e-4)
+}
+
 /// The names of the known units of length.
 pub(super) fn lengths() -> String {
     LENGTHS.map(|(name, _)| name).join(", ")

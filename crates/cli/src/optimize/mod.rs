@@ -13,7 +13,7 @@ use clench_draw::DrawError;
 use crate::answer::Answer;
 use crate::arguments::{Format, ObjectiveArgument, OptimizeArguments};
 use crate::failure::Failure;
-use crate::input::{self, Document, TouchablePart, schema};
+use crate::input::{self, TouchablePart, schema};
 use crate::interrupt::Interrupt;
 use crate::picture::{Figures, Picture};
 use crate::progress::ProgressLine;
@@ -37,9 +37,13 @@ struct Shown {
 
 /// Runs the command.
 pub(crate) fn optimize(arguments: &OptimizeArguments) -> Result<Answer, Failure> {
-    let (document, file) = Document::read(&arguments.part)?;
+    let (document, mut file) = input::part_file(&arguments.part, &arguments.of_part.alone())?;
+    let asked = arguments.of_part.asked(&arguments.forbid);
+    let drawn = input::drawn(&document, &mut file, &asked)?;
     match input::touchable_part(&document, &file.part)? {
-        TouchablePart::Outline(part) => outline::optimize(arguments, &document, file, *part),
+        TouchablePart::Outline(part) => {
+            outline::optimize(arguments, (&document, drawn.as_ref()), file, *part)
+        }
         TouchablePart::Solid(body) => solid::optimize(arguments, &document, file, &body),
     }
 }
@@ -57,6 +61,7 @@ fn question<'a>(
         dimension,
         units: &file.units,
         part: &file.part,
+        drawing: None,
         fingers: arguments.fingers,
         objective: match maximized {
             ObjectiveArgument::Quality => ObjectiveWord::Quality,

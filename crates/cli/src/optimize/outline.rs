@@ -10,14 +10,17 @@ use super::{Found, Held, On, OutOfRange, Shown};
 use crate::answer::Answer;
 use crate::arguments::OptimizeArguments;
 use crate::failure::Failure;
-use crate::input::{self, Document, Finite, schema};
+use crate::input::schema::{self, Forbidden};
+use crate::input::{self, Document, Drawn, Finite};
 use crate::picture::{self, Figures, Picture};
-use crate::report::{OptimumReport, OptimumText, PlacementReport, Question, Subject};
+use crate::report::{
+    DrawingReport, OptimumReport, OptimumText, PlacementReport, Question, Subject,
+};
 
 /// Runs the command on an outline.
 pub(super) fn optimize(
     arguments: &OptimizeArguments,
-    document: &Document,
+    (document, drawn): (&Document, Option<&Drawn>),
     mut file: schema::File,
     part: Part,
 ) -> Result<Answer, Failure> {
@@ -25,7 +28,10 @@ pub(super) fn optimize(
     let part = restricted(part, arguments)?;
     add_restrictions(&mut file.part, arguments);
     let effort = arguments.effort_on_outline();
+    let drawing = drawn.map(DrawingReport::new);
+    let meshes = drawn.map(|drawn| drawn.path.clone()).into_iter().collect();
     let question = Question {
+        drawing: drawing.as_ref(),
         least_distance: arguments.least_distance(),
         ..super::question(arguments, &file, (2, &effort))
     };
@@ -33,8 +39,7 @@ pub(super) fn optimize(
         Ok(outcome) => outcome,
         Err(error) if super::is_unanswered(&error) => {
             let picture = Picture::Outline(picture::of_outline(part.outline()));
-            let (texts, meshes) = (Vec::new(), Vec::new());
-            let shown = Shown { picture, figures: None, texts, meshes };
+            let shown = Shown { picture, figures: None, texts: Vec::new(), meshes };
             return super::unanswered(arguments, &question, &error, shown);
         }
         Err(error) => return Err(super::refused(document.name(), error)),
@@ -50,8 +55,8 @@ pub(super) fn optimize(
     let picture = picture::of_optimum(&report, &part);
     let figures =
         super::drawn(arguments, || Figures::of_optimum(&report, &outcome.best, &picture))?;
-    let (picture, texts) = (Picture::Outline(picture), vec![document.source()]);
-    let shown = Shown { picture, figures, texts, meshes: Vec::new() };
+    let (picture, texts) = (Picture::Outline(picture), document.sources());
+    let shown = Shown { picture, figures, texts, meshes };
     let subject = Subject::Outline(&part);
     let words = OptimumText { name: document.name(), subject, report: &report };
     super::answered(arguments, &words, shown)
@@ -85,9 +90,11 @@ fn add_restrictions(part: &mut schema::Part, arguments: &OptimizeArguments) {
         let of_file = planar.margin.map_or(0.0, |margin| margin.0);
         planar.margin = Some(Finite(margin.max(of_file)));
     }
-    for forbidden in &arguments.forbid {
+    // The edges of layers stand in the list already.
+    let layer = |forbidden: &&Forbidden| matches!(forbidden, Forbidden::Layer(_));
+    for forbidden in arguments.forbid.iter().filter(|forbidden| !layer(forbidden)) {
         if !planar.forbidden.contains(forbidden) {
-            planar.forbidden.push(*forbidden);
+            planar.forbidden.push(forbidden.clone());
         }
     }
 }

@@ -86,7 +86,7 @@ pub(super) fn optimize(
         chosen: matches!(task.places, Places::Candidates(_)),
         fixed: task.fixed.len(),
     });
-    let texts = std::iter::once(document.source()).chain(task.given).collect();
+    let texts = document.sources().into_iter().chain(task.given).collect();
     let words = OptimumText { name: document.name(), subject, report: &report };
     let picture = Picture::Solid(picture);
     super::answered(arguments, &words, Shown { picture, figures, texts, meshes })

@@ -6,6 +6,7 @@ use clench::stiffness::Equilibrium;
 use serde::Serialize;
 
 use super::case_verdict::OverallVerdict;
+use super::drawing::DrawingReport;
 use super::load_case::LoadCaseReport;
 use super::measures::{InPlane, InSpace, MetricsReport};
 use super::needed::NeededReport;
@@ -27,6 +28,9 @@ pub(crate) const NO_SHARE: f64 = 1e-12;
 pub(crate) struct AnalysisReport<'a> {
     pub(crate) dimension: usize,
     pub(crate) units: &'a Units,
+    /// Where the part is from.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(crate) drawing: Option<DrawingReport>,
     pub(crate) frame: FrameReport,
     pub(crate) contacts: Vec<AnalyzedContact>,
     #[serde(skip_serializing_if = "Vec::is_empty")]
@@ -182,6 +186,7 @@ impl<'a> AnalysisReport<'a> {
         let preload = |origin| grasp.preload_stiffness(origin);
         let formed = |order| rows(&analysis.stiffness(|origin| grasp.stiffness(origin, order)));
         Self {
+            drawing: None,
             dimension: N,
             units: analysis.units,
             frame: FrameReport::new(analysis),

@@ -66,6 +66,9 @@ impl AnalysisText<'_> {
         let report = self.report;
         let contacts = counted(report.contacts.len(), "contact");
         page.head("grasp", format_args!("{}, {contacts}", self.name));
+        if let Some(drawing) = &report.drawing {
+            drawing.head(page, self.units());
+        }
         page.head("units", self.units());
         self.facts(page);
         match (&report.metrics, &report.reason) {

@@ -26,6 +26,7 @@ mod subject;
 
 pub(crate) mod html;
 
+mod drawing;
 mod number;
 mod page;
 mod words;
@@ -36,6 +37,7 @@ use crate::failure::Failure;
 
 pub(crate) use analysis::AnalysisReport;
 pub(crate) use analysis_text::AnalysisText;
+pub(crate) use drawing::DrawingReport;
 pub(crate) use number::{UnitNames, spot};
 pub(crate) use optimum::{
     EffortReport, OptimumInPlane, OptimumReport, PlacementReport, Question, UnansweredReport,

@@ -5,6 +5,7 @@ use std::num::NonZeroUsize;
 use clench::optimize::{Combinations, Outcome};
 use serde::{Serialize, Serializer};
 
+use super::drawing::DrawingReport;
 use super::quality::ReachReport;
 use super::words::{EndWord, LimitWord, ObjectiveWord};
 use crate::input::{Finite, Whole, schema};
@@ -18,6 +19,9 @@ pub(crate) struct Question<'a> {
     pub(crate) dimension: u8,
     pub(crate) units: &'a schema::Units,
     pub(crate) part: &'a schema::Part,
+    /// Where the part is from.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(crate) drawing: Option<&'a DrawingReport>,
     pub(crate) fingers: usize,
     pub(crate) objective: ObjectiveWord,
     /// Only where rotation is the objective.

@@ -63,6 +63,9 @@ impl OptimumText<'_> {
     fn head(&self, page: &mut Page) {
         let (report, units) = (self.report, self.units());
         page.head("part", format_args!("{}, {}", self.name, self.subject.described()));
+        if let Some(drawing) = report.question.drawing {
+            drawing.head(page, units);
+        }
         page.head("units", units);
         self.facts(page);
         let best = &report.best;

@@ -2,7 +2,7 @@
 
 use clench::optimize::polygon;
 use clench::screw::Vector;
-use clench::shape::{FaceFeature, Polyhedron};
+use clench::shape::{FaceFeature, Polygon, Polyhedron};
 
 use super::analysis::NO_SHARE;
 use super::number::counted as counted_number;
@@ -116,7 +116,8 @@ impl Subject<'_> {
         match self {
             Self::Outline(part) => {
                 let place = part.outline().place(Vector::from_fn(|i| point[i]));
-                place.corner.map(|corner| format!("corner {corner}"))
+                let bends = |corner: &usize| bends(part.outline(), *corner);
+                place.corner.filter(bends).map(|corner| format!("corner {corner}"))
             }
             Self::Solid(SolidSubject { chosen: true, .. }) => None,
             Self::Solid(part) => part.limit_at(Vector::from_fn(|i| point[i])),
@@ -140,6 +141,17 @@ impl SolidSubject<'_> {
             _ => None,
         }
     }
+}
+
+/// Whether an outline turns by more at a corner than on a smooth curve.
+fn bends(outline: &Polygon, corner: usize) -> bool {
+    let edges = outline.edges();
+    let of_corner = outline.loops().iter().find(|corners| corners.contains(&corner));
+    let before = match of_corner {
+        Some(corners) if corner == corners.start => corners.end - 1,
+        _ => corner.saturating_sub(1),
+    };
+    (edges[before].inward_normal() - edges[corner].inward_normal()).norm() > SMOOTH
 }
 
 /// How many fingers, in words.

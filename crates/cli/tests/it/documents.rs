@@ -60,15 +60,22 @@ fn the_commands_of_the_readme_find_an_answer() {
 fn the_files_of_the_page_on_files_are_read() {
     let page = document("docs/files.md");
     let files = blocks(&page, "toml");
-    assert_eq!(files.len(), 5);
+    assert_eq!(files.len(), 6);
     let folder = Folder::new("files-page");
+    folder.write("plate.dxf", document("parts/plate.dxf"));
     folder.write("part.toml", files[0]);
     assert_eq!(folder.run("optimize part.toml --fingers 4").code, Some(0));
+    folder.write("part.toml", files[1]);
+    let drawn = folder.run("optimize part.toml --fingers 4");
+    assert_eq!(drawn.code, Some(0), "{}", drawn.err);
+    let command = "optimize plate.dxf --fingers 4 --stiffness 5e4 --units mm";
+    assert!(page.replace('\n', " ").contains(command));
+    assert_eq!(folder.run(command).code, Some(0));
     for (file, stable) in [
-        (files[1], "stable to first order"),
-        (files[4], "robustness: change of the measures"),
-        (files[2], "by its preload"),
-        (files[3], "contact 1 lifts off first"),
+        (files[2], "stable to first order"),
+        (files[5], "robustness: change of the measures"),
+        (files[3], "by its preload"),
+        (files[4], "contact 1 lifts off first"),
     ] {
         folder.write("grasp.toml", file);
         let grasp = folder.run("analyze grasp.toml");

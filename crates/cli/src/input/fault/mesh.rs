@@ -13,6 +13,9 @@ pub(crate) enum MeshFault {
     /// The name does not say what it is.
     #[error("is not known by its ending, expected a mesh file, .stl or .obj")]
     UnknownEnding,
+    /// The reader gave up in a way that it should not.
+    #[error("cannot be read: its reader failed; is the file damaged?")]
+    Panicked,
     /// The file has no bytes, or only spaces.
     #[error("is empty, expected a mesh")]
     Empty,

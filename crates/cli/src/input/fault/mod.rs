@@ -14,7 +14,7 @@ use miette::Diagnostic;
 
 use super::excerpt::Excerpt;
 use super::number::in_words;
-use super::place::Place;
+use super::place::{Place, Step};
 use super::schema::{Units, VERSION};
 
 pub(crate) use balance::{BalanceFault, Pull};
@@ -32,9 +32,9 @@ pub(super) struct Located {
 
 /// Why an input file was refused, and at which of its bytes.
 #[derive(Debug, thiserror::Error)]
-#[error("{at}: {fault}")]
+#[error("{at}{fault}")]
 pub(crate) struct InputError {
-    /// The file, the line and the column, and the field.
+    /// The file, the line and the column, and the field, if the fault does not name them itself.
     at: String,
     file: String,
     position: Position,
@@ -67,9 +67,9 @@ impl InputError {
         let excerpt = Excerpt::new(name, text, span);
         let (line, column) = excerpt.line_and_column();
         let at = if place.steps().is_empty() {
-            format!("{name}:{line}:{column}")
+            format!("{name}:{line}:{column}: ")
         } else {
-            format!("{name}:{line}:{column}: {place}")
+            format!("{name}:{line}:{column}: {place}: ")
         };
         let field = (!place.steps().is_empty()).then(|| place.to_string());
         let position = Position { line, column, field };
@@ -84,6 +84,21 @@ impl InputError {
     /// Where in the file.
     pub(crate) fn position(&self) -> Position {
         self.position.clone()
+    }
+
+    /// The fault of the option that stands for the field at `place`, or of the part `name` alone.
+    pub(super) fn of_option(name: &str, place: &Place, fault: Fault) -> Self {
+        let field = place.steps().iter().rev().find_map(|step| match step {
+            Step::Field(field) => Some(field.as_str()),
+            Step::Item(_) => None,
+        });
+        let at = match field {
+            Some("drawing" | "mesh") => String::new(),
+            Some("chord") => "--chord: ".to_owned(),
+            Some("forbidden") => "--forbid: ".to_owned(),
+            _ => format!("{name}: "),
+        };
+        Self { at, fault, excerpt: None }
     }
 
     /// The same error, without the text around it: what it is about is not in the file.

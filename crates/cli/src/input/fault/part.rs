@@ -5,6 +5,7 @@ use clench::shape::{EllipsoidError, PolygonError, PolyhedronError};
 
 use super::MeshFault;
 use crate::input::PieceKind;
+use crate::input::drawing::DrawingFault;
 use crate::wording::counted;
 
 /// Why a part was refused.
@@ -20,7 +21,7 @@ pub(crate) enum PartFault {
     #[error("found both `planar` and `spatial` in the part, expected one of them")]
     Two,
     /// A planar part without a shape, or with two.
-    #[error("found {found}, expected exactly one of `outline` and `ellipse`")]
+    #[error("found {found}, expected exactly one of `outline`, `drawing` and `ellipse`")]
     PlanarShape { found: &'static str },
     /// A spatial part without a shape, or with several.
     #[error(
@@ -60,6 +61,18 @@ pub(crate) enum PartFault {
     /// The mesh file is no mesh of a solid.
     #[error("{name}: {fault}")]
     Mesh { name: String, fault: MeshFault },
+    /// The drawing is no drawing of a part.
+    #[error("{name}: {fault}")]
+    Drawing { name: String, fault: Box<DrawingFault> },
+    /// A layer of the drawing that is not there, or of which too little is said.
+    #[error(transparent)]
+    Layer(Box<DrawingFault>),
+    /// A chord that is zero or negative.
+    #[error("the chord is {chord}, expected a positive number")]
+    Chord { chord: f64 },
+    /// What only drawings have.
+    #[error("found {found}, which goes with a `drawing` only")]
+    DrawingOnly { found: &'static str },
     /// The stiffnesses of edges or faces are not valid.
     #[error(transparent)]
     PieceStiffness(Box<OptimizeError>),
@@ -91,6 +104,7 @@ impl PartFault {
             }
             Self::None => Some("`clench --help` shows a file"),
             Self::Mesh { fault, .. } => fault.help(),
+            Self::Drawing { fault, .. } => fault.help(),
             _ => None,
         }
     }

@@ -9,6 +9,7 @@ use std::path::Path;
 use clench::shape::Polyhedron;
 
 use super::fault::MeshFault;
+use super::shield::shielded;
 
 /// Whether the file at `path` is one whose coordinates have single precision.
 pub(super) fn is_of_single_precision(path: &Path) -> bool {
@@ -32,10 +33,12 @@ pub(super) fn read(path: &Path) -> Result<Polyhedron, MeshFault> {
     if bytes.iter().all(u8::is_ascii_whitespace) {
         return Err(MeshFault::Empty);
     }
+    let failed = MeshFault::Panicked;
     if stl {
-        Polyhedron::from_triangles(&stl::triangles(bytes)?)
+        let triangles = shielded(|| stl::triangles(bytes)).ok_or(failed)??;
+        Polyhedron::from_triangles(&triangles)
     } else {
-        let (vertices, faces) = obj::surface(bytes)?;
+        let (vertices, faces) = shielded(|| obj::surface(bytes)).ok_or(failed)??;
         Polyhedron::new(&vertices, &faces)
     }
     .map_err(MeshFault::Surface)

@@ -15,7 +15,7 @@ use serde::{Deserialize, Serialize};
 use super::number::{Name, Whole};
 
 pub(crate) use contact::{Contact, Finger, Law, Material, Preload};
-pub(crate) use forbidden::{Forbidden, ForbiddenStretch};
+pub(crate) use forbidden::{Forbidden, ForbiddenLayer, ForbiddenStretch};
 pub(crate) use load::{Load, LoadCase, NamedPoint};
 pub(crate) use part::{Part, Planar, Spatial};
 pub(super) use results::without_results;

@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::super::number::{FileName, Finite, PerPiece, Point, Whole};
+use super::super::number::{FileName, Finite, Label, PerPiece, Point, Whole};
 use super::Forbidden;
 
 /// A part of the plane or of space.
@@ -15,10 +15,22 @@ pub(crate) struct Part {
     pub(crate) spatial: Option<Spatial>,
 }
 
-/// A planar part: an outline or an ellipse.
-#[derive(Clone, Debug, Deserialize, Serialize)]
-#[serde(deny_unknown_fields, expecting = "a table with `outline` or `ellipse`")]
+/// A planar part: an outline, from the file or from a drawing, or an ellipse.
+///
+/// What a drawing says takes the place of the fields about it before the part is made: a report
+/// has corners.
+#[derive(Clone, Debug, Default, Deserialize, Serialize)]
+#[serde(deny_unknown_fields, expecting = "a table with `outline`, `drawing` or `ellipse`")]
 pub(crate) struct Planar {
+    /// The path of a drawing, from the folder of this file.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(crate) drawing: Option<FileName>,
+    /// How far edges may be from the curves of the drawing [length].
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(crate) chord: Option<Finite>,
+    /// The layers of the drawing that the outline and the holes are on.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub(crate) layers: Vec<Label>,
     /// The corners, either way round.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub(crate) outline: Option<Vec<Point<2>>>,
@@ -43,7 +55,7 @@ pub(crate) struct Planar {
 }
 
 /// A spatial part: a polyhedron, from the file or from a mesh, or an ellipsoid.
-#[derive(Clone, Debug, Deserialize, Serialize)]
+#[derive(Clone, Debug, Default, Deserialize, Serialize)]
 #[serde(
     deny_unknown_fields,
     expecting = "a table with `vertices` and `faces`, `mesh` or `ellipsoid`"

@@ -3,8 +3,9 @@
 use super::super::node::Node;
 
 /// The results of `optimize` at the top of its report: `analyze` reads the rest as a grasp file.
-const RESULT_FIELDS: [&str; 31] = [
+const RESULT_FIELDS: [&str; 32] = [
     "dimension",
+    "drawing",
     "fingers",
     "objective",
     "least_translation",
@@ -87,10 +88,12 @@ mod tests {
     #[test]
     fn the_result_fields_are_those_of_a_report() {
         let planar = "PARTS/quadrilateral.toml --fingers 4 --preload";
+        let drawing = "PARTS/plate.dxf --stiffness 5e4 --fingers 4 --preload 10 --nodes 1";
         let solid = "PARTS/bearing-block.toml --fix PARTS/locators-321.toml --fingers 2";
         let reports = [
             report(&format!("{planar} 0.1")),
             report(&format!("{planar} 1000")),
+            report(drawing),
             report(&format!("{solid} --nodes 1")),
             report(&format!("{solid} --candidates PARTS/clamp-places.toml --nodes 1")),
         ];

@@ -1,0 +1,195 @@
+//! DXF files in text form.
+
+mod blocks;
+mod entity;
+mod pairs;
+mod tables;
+
+use kurbo::Affine;
+
+use self::blocks::{Blocks, Entity, entities};
+use self::pairs::records;
+use self::tables::Tables;
+use super::fault::DrawingFault;
+use super::sheet::{Reason, Sheet, Source, Strand, Unit};
+
+/// What a binary file begins with.
+const BINARY: &[u8] = b"AutoCAD Binary DXF";
+
+/// The entities that a file may draw, those of its blocks counted each time.
+const MOST_ENTITIES: usize = 100_000;
+
+/// Blocks within blocks.
+const DEEPEST: usize = 16;
+
+/// The units of `$INSUNITS` by their number.
+const UNITS: [(u8, Unit); 12] = [
+    (1, Unit { name: "in", micrometers: 25_400.0 }),
+    (2, Unit { name: "ft", micrometers: 304_800.0 }),
+    (4, Unit { name: "mm", micrometers: 1e3 }),
+    (5, Unit { name: "cm", micrometers: 1e4 }),
+    (6, Unit { name: "m", micrometers: 1e6 }),
+    (7, Unit { name: "km", micrometers: 1e9 }),
+    (8, Unit { name: "uin", micrometers: 0.0254 }),
+    (9, Unit { name: "mil", micrometers: 25.4 }),
+    (10, Unit { name: "yd", micrometers: 914_400.0 }),
+    (12, Unit { name: "nm", micrometers: 1e-3 }),
+    (13, Unit { name: "um", micrometers: 1.0 }),
+    (14, Unit { name: "dm", micrometers: 1e5 }),
+];
+
+/// The curves of a file, on these layers only if any are named.
+pub(super) fn read(bytes: &[u8], layers: &[String]) -> Result<Sheet, DrawingFault> {
+    if bytes.starts_with(BINARY) {
+        return Err(DrawingFault::BinaryDxf);
+    }
+    if bytes.starts_with(b"AC10") {
+        return Err(DrawingFault::Dwg);
+    }
+    let text = text(bytes);
+    let records = records(text.trim_start_matches('\u{feff}'))?;
+    let tables = Tables::of(&records);
+    let blocks = Blocks::of(&records)?;
+    let mut reader = Reader {
+        tables: &tables,
+        blocks: &blocks,
+        layers,
+        sheet: Sheet { unit: unit(tables.unit), ..Sheet::default() },
+        within: Vec::new(),
+        drawn: 0,
+    };
+    let frame = Frame { map: Affine::IDENTITY, layer: None };
+    for entity in entities(&records, "ENTITIES") {
+        reader.entity(&entity, &frame)?;
+    }
+    Ok(reader.sheet)
+}
+
+/// The text of the bytes; what is no UTF-8 is from before it, and one letter per byte.
+fn text(bytes: &[u8]) -> String {
+    match std::str::from_utf8(bytes) {
+        Ok(text) => text.to_owned(),
+        Err(_) => bytes.iter().copied().map(char::from).collect(),
+    }
+}
+
+fn unit(number: Option<i64>) -> Option<Unit> {
+    UNITS.iter().find(|(known, _)| number == Some(i64::from(*known))).map(|(_, unit)| *unit)
+}
+
+/// How a block is put into the drawing.
+struct Frame<'a> {
+    map: Affine,
+    /// The layer of the block's place, which what is on layer 0 of the block takes.
+    layer: Option<&'a str>,
+}
+
+struct Reader<'a> {
+    tables: &'a Tables<'a>,
+    blocks: &'a Blocks<'a>,
+    layers: &'a [String],
+    sheet: Sheet,
+    /// The names of the blocks that the reader is in.
+    within: Vec<&'a str>,
+    drawn: usize,
+}
+
+impl<'a> Reader<'a> {
+    fn entity(&mut self, entity: &Entity<'a>, frame: &Frame<'a>) -> Result<(), DrawingFault> {
+        self.drawn += 1;
+        if self.drawn > MOST_ENTITIES {
+            return Err(DrawingFault::TooManyEntities { most: MOST_ENTITIES });
+        }
+        let record = entity.record;
+        let own = record.text(8).unwrap_or("0");
+        let layer = if own == "0" { frame.layer.unwrap_or(own) } else { own };
+        if !self.sheet.layers.iter().any(|known| known.eq_ignore_ascii_case(layer)) {
+            self.sheet.layers.push(layer.to_owned());
+        }
+        let aside = |sheet: &mut Sheet, reason| sheet.aside.note(record.kind, layer, reason);
+        if record.kind == "INSERT" {
+            return match self.hidden(entity) {
+                Some(reason) => {
+                    aside(&mut self.sheet, reason);
+                    Ok(())
+                }
+                None => self.insert(entity, layer, frame),
+            };
+        }
+        match entity::curves(entity)? {
+            None => aside(&mut self.sheet, Reason::NoCurve),
+            Some(_) if !self.asked_for(layer) => aside(&mut self.sheet, Reason::OtherLayer),
+            Some(curves) => match (self.hidden(entity), curves) {
+                (Some(reason), _) => aside(&mut self.sheet, reason),
+                (None, entity::Curves::OffPlane) => aside(&mut self.sheet, Reason::OffPlane),
+                (None, entity::Curves::InPlane(curves)) => {
+                    let curves = curves.iter().map(|curve| curve.mapped(frame.map)).collect();
+                    self.sheet.strands.push(Strand { source: self.sheet.sources.len(), curves });
+                    self.sheet.sources.push(Source {
+                        kind: record.kind.to_owned(),
+                        name: record.text(5).map(str::to_owned),
+                        layer: layer.to_owned(),
+                        line: record.line,
+                    });
+                }
+            },
+        }
+        Ok(())
+    }
+
+    /// Why an entity that could be part of the outline is none, if it is none.
+    fn hidden(&self, entity: &Entity<'_>) -> Option<Reason> {
+        let record = entity.record;
+        let layer = record.text(8).unwrap_or("0");
+        if record.flags(67) == 1 {
+            Some(Reason::Paper)
+        } else if record.flags(60) == 1 || (self.layers.is_empty() && self.tables.hides(layer)) {
+            Some(Reason::Hidden)
+        } else if self.tables.is_broken(record.text(6), layer) {
+            Some(Reason::Broken)
+        } else {
+            None
+        }
+    }
+
+    fn asked_for(&self, layer: &str) -> bool {
+        self.layers.is_empty() || self.layers.iter().any(|name| name.eq_ignore_ascii_case(layer))
+    }
+
+    /// Draws a block, as often as its place says.
+    fn insert(
+        &mut self,
+        entity: &Entity<'a>,
+        layer: &'a str,
+        frame: &Frame<'a>,
+    ) -> Result<(), DrawingFault> {
+        let record = entity.record;
+        let name = record.text(2).unwrap_or("");
+        let at = |name: &str| (name.to_owned(), record.line);
+        let Some(block) = self.blocks.find(name) else {
+            let (name, line) = at(name);
+            return Err(DrawingFault::NoSuchBlock { name, line });
+        };
+        if self.within.contains(&block.name) || self.within.len() >= DEEPEST {
+            let (name, line) = at(name);
+            return Err(DrawingFault::RecursiveBlock { name, line });
+        }
+        let Some(places) = entity::places(record, block.base)? else {
+            self.sheet.aside.note(record.kind, layer, Reason::OffPlane);
+            return Ok(());
+        };
+        self.within.push(block.name);
+        for place in places {
+            let frame = Frame { map: frame.map * place, layer: Some(layer) };
+            self.drawn += 1;
+            if self.drawn > MOST_ENTITIES {
+                return Err(DrawingFault::TooManyEntities { most: MOST_ENTITIES });
+            }
+            for entity in &block.entities {
+                self.entity(entity, &frame)?;
+            }
+        }
+        self.within.pop();
+        Ok(())
+    }
+}
