@@ -8,6 +8,7 @@ use super::optimum::{OptimumReport, PlacedFinger, PlacementReport};
 use super::page::Page;
 use super::subject::{Subject, in_words};
 use super::words::{EndWord, LimitWord, ObjectiveWord};
+use crate::input::schema::Forbidden;
 use crate::wording::{self, digits, precise_digits, rough_digits};
 
 /// A report, and the part and the name of the file that it is on.
@@ -147,8 +148,7 @@ impl OptimumText<'_> {
         }
         let forbidden = planar.map_or(&[][..], |planar| &planar.forbidden);
         if !forbidden.is_empty() {
-            let edges = forbidden.iter().map(ToString::to_string).collect::<Vec<_>>().join(", ");
-            conditions.push(format!("none on {edges}"));
+            conditions.push(format!("none on {}", in_runs(forbidden)));
         }
         if !conditions.is_empty() {
             page.head("asked for", conditions.join("; "));
@@ -375,6 +375,19 @@ impl OptimumText<'_> {
         let points = placement.contacts.iter().map(|c| spot(&c.point, self.size()));
         points.collect::<Vec<_>>().join(" ")
     }
+}
+
+/// What is forbidden; edges that follow each other, such as those of a curve, in one.
+fn in_runs(forbidden: &[Forbidden]) -> String {
+    let follows = |one: &Forbidden, next: &Forbidden| match (one, next) {
+        (Forbidden::Edge(one), Forbidden::Edge(next)) => one.0 + 1 == next.0,
+        _ => false,
+    };
+    let runs = forbidden.chunk_by(follows).map(|run| match run {
+        [first, _, .., last] => format!("{first} to {last}"),
+        _ => run.iter().map(ToString::to_string).collect::<Vec<_>>().join(", "),
+    });
+    runs.collect::<Vec<_>>().join(", ")
 }
 
 fn counted_sets(count: u64) -> String {

@@ -1,7 +1,7 @@
-//! Files that are damaged, odd or hostile: the command ends soon, with an answer or one clear error,
-//! never in a panic, and writes nothing unless it has an answer.
+//! Files that are damaged, odd or hostile: the command ends soon, with an answer or one clear
+//! error, never in a panic, and writes nothing unless it has an answer.
 
-#![allow(clippy::unwrap_used, reason = "a test that cannot go on fails")]
+#![allow(clippy::unwrap_used, clippy::panic, reason = "a test that cannot go on fails")]
 
 use std::fmt::Write as _;
 use std::process::Stdio;
@@ -223,9 +223,10 @@ fn hand_made() -> Vec<Case> {
     }
     let entities = format!("{entities}]><svg><text>&j;</text></svg>");
     let deep = format!("{}{}", many(100_000, "<g>"), many(100_000, "</g>"));
-    let zigzag: String = (0..3000).map(|i| format!("L{} {} ", i, i % 2)).collect();
-    let bomb: String = (0..30_000).map(|i| format!("CIRCLE A 10 {i} 20 0 40 0.1\n")).collect();
-    let nest: String = (1..2000).map(|i| format!("CIRCLE A 10 0 20 0 40 {i}\n")).collect();
+    let zigzag = numbered(0..3000, |i| format!("L{} {} ", i, i % 2));
+    let bomb = numbered(0..30_000, |i| format!("CIRCLE A 10 {i} 20 0 40 0.1\n"));
+    let star = numbered(0..9000, |i| format!("LINE A 10 0 20 0 11 {i} 21 9\n"));
+    let nest = numbered(1..2000, |i| format!("CIRCLE A 10 0 20 0 40 {i}\n"));
     let noise: Vec<u8> =
         (0..9000_u32).map(|i| i.wrapping_mul(2_654_435_761).to_le_bytes()[2]).collect();
     let unit = Some(4);
@@ -249,14 +250,7 @@ fn hand_made() -> Vec<Case> {
         ("bomb.dxf", dxf(unit, &bomb).into_bytes()),
         ("nest.dxf", dxf(unit, &nest).into_bytes()),
         ("spots.dxf", dxf(unit, &many(40_000, "LINE A 10 0 20 0 11 1 21 0\n")).into_bytes()),
-        (
-            "star.dxf",
-            dxf(
-                unit,
-                &(0..9000).map(|i| format!("LINE A 10 0 20 0 11 {i} 21 9\n")).collect::<String>(),
-            )
-            .into_bytes(),
-        ),
+        ("star.dxf", dxf(unit, &star).into_bytes()),
         ("blocks.dxf", with_tables(unit, "", &blocks, "INSERT A 2 B13 10 0 20 0").into_bytes()),
         (
             "rows.dxf",
@@ -281,4 +275,9 @@ fn hand_made() -> Vec<Case> {
         ("deep.toml", format!("[part]\nplanar = {}", far.repeat(400)).into_bytes()),
     ];
     list.into_iter().map(|(name, content)| (name.to_owned(), content)).collect()
+}
+
+/// A text for each number, one after the other.
+fn numbered(range: std::ops::Range<u32>, text: impl Fn(u32) -> String) -> String {
+    range.map(text).collect::<Vec<_>>().concat()
 }

@@ -268,6 +268,7 @@ fn repeated_curves_are_left_out_with_a_warning() {
     folder.write("plate.dxf", dxf(MM, &again));
     let ran = folder.run("optimize plate.dxf --stiffness 1 --fingers 4");
     assert_eq!(ran.code, Some(0), "{}", ran.err);
-    let warning = "warning   the LINE at line 76, on layer `B` repeats the LINE at line 28, on layer `A`: left out";
+    let warning = "warning   the LINE at line 76, on layer `B` repeats the LINE at line 28, on \
+                   layer `A`: left out";
     assert_says(&ran.out, &[warning, "the CIRCLE at line 98, on layer `A` repeats the CIRCLE"]);
 }

@@ -167,7 +167,8 @@ fn what_is_no_outline_is_left_aside_by_name() {
                  LINE PART 60 1 10 0 20 0 11 9 21 9\nCIRCLE PART 67 1 10 0 20 0 40 1\n\
                  TEXT NOTES 10 5 20 5 40 3 1 BRACKET\nTEXT NOTES 10 5 20 5 40 3 1 7\n\
                  HATCH PART 10 0 20 0\nPOINT PART 10 5 20 5\nDIMENSION NOTES 10 1 20 1\n\
-                 LINE PART 10 0 20 0 30 0 11 9 21 9 31 4\nARC PART 10 0 20 0 40 1 50 0 51 9 210 1 230 0\n\
+                 LINE PART 10 0 20 0 30 0 11 9 21 9 31 4\n\
+                 ARC PART 10 0 20 0 40 1 50 0 51 9 210 1 230 0\n\
                  CIRCLE PART 6 THIN 10 40 20 30 40 5";
     folder.write("plate.dxf", with_tables(MM, tables, "", &entities));
     let (plate, report) = contours(&folder, "plate.dxf --chord 1");

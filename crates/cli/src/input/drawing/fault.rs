@@ -87,7 +87,9 @@ pub(crate) enum DrawingFault {
     #[error("draws more than {most} entities, those of blocks counted each time")]
     TooManyEntities { most: usize },
     /// A layer that was asked for.
-    #[error("has nothing on {}, expected one of its layers: {}", layer_name(.layer), listed(.known))]
+    #[error(
+        "has nothing on {}, expected one of its layers: {}", layer_name(.layer), listed(.known)
+    )]
     NoSuchLayer { layer: String, known: Vec<String> },
     /// Nothing that could be an outline.
     #[error("has no curves that could be the outline{}", but(.aside))]
