@@ -106,6 +106,7 @@ impl schema::File {
             loads: Vec::new(),
             points: Vec::new(),
             load_cases: Vec::new(),
+            contact_tolerances: None,
         }
     }
 }
