@@ -98,7 +98,9 @@ impl InputError {
             Some("forbidden") => "--forbid: ".to_owned(),
             _ => format!("{name}: "),
         };
-        Self { at, fault, excerpt: None }
+        // There is no text: the file begins where it would.
+        let position = Position { line: 1, column: 1, field: None };
+        Self { at, file: name.to_owned(), position, fault, excerpt: None }
     }
 
     /// The same error, without the text around it: what it is about is not in the file.
