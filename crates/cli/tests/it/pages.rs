@@ -86,6 +86,15 @@ fn a_grasp_is_on_the_page_with_its_load_cases() {
 }
 
 #[test]
+fn robustness_is_on_the_page_if_it_is_asked_for() {
+    let folder = Folder::new("page-robustness");
+    folder.write("grasp.toml", SQUARE);
+    let asked = page(&folder, "analyze grasp.toml --robustness");
+    assert_says(&asked, &["<h2>Robustness</h2>"]);
+    assert!(!page(&folder, "analyze grasp.toml").contains("<h2>Robustness</h2>"));
+}
+
+#[test]
 fn nothing_of_a_file_is_taken_for_markup() {
     let folder = Folder::new("page-hostile");
     let quoted = HOSTILE.replace('"', "\\\"");

@@ -42,6 +42,7 @@ pub(crate) fn of_analysis(
         Section::filled("Preloads that the load cases need", needed(text)),
         Section::filled("Contacts", set(&contacts)),
         Section::filled("Stiffness", set(&numbers)),
+        Section::filled("Robustness", set(&|page| text.robustness(page))),
         Section::filled("Stiffness matrix", set(&|page| text.stiffness(page))),
     ];
     let mut facts = Page::default();

@@ -98,6 +98,7 @@ pub(super) fn table(rows: &[Vec<String>]) -> Markup {
 fn is_numeric(body: &[Vec<String>], column: usize) -> bool {
     let cells = body.iter().filter_map(|row| row.get(column));
     // Of a finger that is off, or of what does not exist, there is no number.
-    let mut cells = cells.filter(|cell| !["", "off", "none"].contains(&cell.as_str())).peekable();
+    let mut cells =
+        cells.filter(|cell| !["", "-", "off", "none"].contains(&cell.as_str())).peekable();
     cells.peek().is_some() && cells.all(|cell| cell.parse::<f64>().is_ok())
 }
