@@ -167,7 +167,7 @@ fn the_keys_of_the_reports_are_those_of_the_page() {
     assert_eq!(found, listed(&[analyze, "| in space | value"]));
     // The contacts lift off under more than the load.
     assert_eq!(keys(&spatial["load_cases"][0]), listed(&["| key of a load case"]));
-    folder.write("off.toml", blocks(&page, "toml")[4]);
+    folder.write("off.toml", blocks(&page, "toml")[5]);
     let robustness = &folder.json("analyze off.toml")["robustness"];
     let mut found = keys(robustness);
     found.extend(keys(&robustness["quality"]));
