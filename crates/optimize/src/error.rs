@@ -41,6 +41,30 @@ pub enum OptimizeError {
         /// What was found.
         value: f64,
     },
+    /// The clearance of fingers is negative or not finite.
+    #[error("the clearance is {value}, but has to be a finite number, zero or positive")]
+    Clearance {
+        /// What was found.
+        value: f64,
+    },
+    /// It cannot be told where fingers touch.
+    #[error(transparent)]
+    Access(#[from] clench_shape::AccessError),
+    /// Nothing is left of the part's surface to touch.
+    #[error(
+        "nothing of the part can be touched by a finger tip of radius {radius}, at least {margin} \
+         from where planes end, outside of {keep_outs} keep-outs{over}"
+    )]
+    NothingAccessible {
+        /// The radius of the tip (length).
+        radius: f64,
+        /// The least distance from the border of a facet (length).
+        margin: f64,
+        /// How many boxes it stays out of.
+        keep_outs: usize,
+        /// Words about the plate, if there is one.
+        over: &'static str,
+    },
     /// An edge number is too large.
     #[error("edge {edge} does not exist: the outline has edges 0 to {last}")]
     NoSuchEdge {

@@ -34,6 +34,38 @@ pub const ROUNDNESS: f64 = 0.1;
 /// push, and then have shares of just this, unless a larger least share is asked for.
 pub const PUSHING: f64 = 1e-6;
 
+/// The balls at the ends of fingers, and how near to each other they may be.
+///
+/// The centers of two balls, at least one of them a placed one, are no nearer to each other than
+/// their radii and the clearance together. Where there is none of these, fingers may be at one
+/// place.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Spacing {
+    /// The radius of the balls of the fingers that are placed (length).
+    pub radius: f64,
+    /// The least gap between two balls (length).
+    pub clearance: f64,
+    /// The radii of the balls of given contacts, in their order (length); 0 of those left out.
+    pub given: Vec<f64>,
+    /// The radii of the balls of candidates, in their order (length); of those left out as of those
+    /// that are placed.
+    pub candidates: Vec<f64>,
+}
+
+impl Spacing {
+    fn check(&self) -> Result<(), OptimizeError> {
+        let is_length = |x: f64| x >= 0.0 && x.is_finite();
+        let radii = self.given.iter().chain(&self.candidates).chain([&self.radius]);
+        if let Some(&value) = radii.into_iter().find(|&&radius| !is_length(radius)) {
+            return Err(OptimizeError::FingerRadius { value });
+        }
+        if !is_length(self.clearance) {
+            return Err(OptimizeError::Clearance { value: self.clearance });
+        }
+        Ok(())
+    }
+}
+
 /// Frictionless fingers on a solid, each a spring along its normal.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Fingers {
@@ -55,13 +87,15 @@ pub struct Fingers {
     /// A motion counts as free if no force on the surface has a lever of more than this part of the
     /// part's reach on it, as for a mesh of a ball: from 0 to below 1.
     pub roundness: f64,
+    /// How near to each other fingers may be.
+    pub spacing: Spacing,
 }
 
 impl Fingers {
     /// `count` fingers of the best worst-point stiffness, without conditions: that objective is
     /// continuous, and its bounds are the tightest.
     #[must_use]
-    pub const fn new(count: usize) -> Self {
+    pub fn new(count: usize) -> Self {
         Self {
             count,
             fixed: Vec::new(),
@@ -69,6 +103,7 @@ impl Fingers {
             most_on_face: 3,
             least_share: 0.0,
             roundness: ROUNDNESS,
+            spacing: Spacing::default(),
         }
     }
 
@@ -96,6 +131,7 @@ impl Fingers {
             return Err(OptimizeError::Roundness { value: roundness });
         }
         self.objective.checked()?;
+        self.spacing.check()?;
         let fixed = self
             .fixed
             .iter()
@@ -109,7 +145,10 @@ impl Fingers {
     /// Why a search through all placements found none.
     fn nothing(&self, combinations: f64) -> OptimizeError {
         let fingers = self.count;
-        if self.least_share > 0.0 || self.objective.least_translation() > 0.0 {
+        if self.least_share > 0.0
+            || self.objective.least_translation() > 0.0
+            || self.checked_spacing().is_some()
+        {
             OptimizeError::ConditionsNeverMet { fingers, combinations }
         } else {
             OptimizeError::NeverHeld { fingers, combinations }
@@ -119,7 +158,8 @@ impl Fingers {
 
 /// The best placements of frictionless fingers on the facets of `part`.
 ///
-/// Maximizes the objective to first order over all combinations of facets and all places on them,
+/// Maximizes the objective to first order over all combinations of facets and all places on them
+/// that are accessible, as [`Part::accessible_to`] says,
 /// among the placements whose forces can balance with all contacts pushing. How bounds are found
 /// is told in [`polyhedron`](crate::polyhedron). The search closes in on the best placement and is
 /// better given a gap or a time: what it returns then is the best so far, with a bound that holds.
@@ -133,6 +173,7 @@ impl Fingers {
 /// [`OptimizeError::FingerCount`], [`OptimizeError::TooFewContacts`],
 /// [`OptimizeError::TooManyContacts`], [`OptimizeError::MostOnFace`],
 /// [`OptimizeError::LeastShare`], [`OptimizeError::Roundness`],
+/// [`OptimizeError::FingerRadius`], [`OptimizeError::Clearance`],
 /// [`OptimizeError::LeastTranslation`], [`OptimizeError::Gap`], [`OptimizeError::TouchPoint`],
 /// [`OptimizeError::TouchNormal`], [`OptimizeError::TouchStiffness`],
 /// [`OptimizeError::StiffnessSpread`]; [`OptimizeError::MotionStaysFree`],
@@ -152,7 +193,7 @@ pub fn fingers(
     part::check_spread(part.face_stiffness().iter().copied().chain(given))?;
     let scene = Scene::of_part(part, &fingers)?;
     Asked { scene: &scene, fingers: &fingers, effort }.answered(watch, &|spot| {
-        let (point, facet) = (scene.unscaled(spot.point), &part.facets()[spot.patch]);
+        let (point, facet) = (scene.unscaled(spot.point), &part.facets()[scene.facets[spot.patch]]);
         super::solution::face_at(part.solid(), facet, point)
     })
 }

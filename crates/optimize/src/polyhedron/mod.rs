@@ -41,6 +41,10 @@
 //! with a gap of some ten percent. With up to three free fingers beside given ones they close, but
 //! for the quality, whose bound by a cylinder need not come down to it.
 //!
+//! Pieces on which two fingers are always nearer to each other than their tips have room are
+//! excluded as well. Where that is in doubt, and halving a piece would hardly change the bound, the
+//! largest piece in doubt is halved.
+//!
 //! # Placements
 //!
 //! Ascents start by chance, with seeds that depend on nothing but their number. Random steps come
@@ -52,6 +56,7 @@ mod part;
 mod touch;
 
 mod fingers;
+mod tips;
 
 mod search;
 
@@ -71,7 +76,7 @@ mod motion;
 pub(crate) use motion::described;
 
 pub use fingers::{
-    FEWEST_CONTACTS, Fingers, MOST_CONTACTS, MOST_FINGERS, PUSHING, ROUNDNESS, fingers,
+    FEWEST_CONTACTS, Fingers, MOST_CONTACTS, MOST_FINGERS, PUSHING, ROUNDNESS, Spacing, fingers,
     fingers_among,
 };
 pub use part::Part;

@@ -1,6 +1,7 @@
 //! A polyhedral part: a solid, and the stiffness of its faces.
 
-use clench_shape::{Facet, Polyhedron};
+use clench_screw::Vector;
+use clench_shape::{AccessibleFacet, BallTip, Facet, Polyhedron};
 
 use crate::OptimizeError;
 use crate::polygon::LARGEST_SPREAD;
@@ -24,6 +25,9 @@ pub struct Part {
     solid: Polyhedron,
     facets: Vec<Facet>,
     face_stiffness: Vec<f64>,
+    flatness: f64,
+    /// What is accessible of each facet, if that is not all.
+    accessible: Option<Vec<AccessibleFacet>>,
 }
 
 impl Part {
@@ -58,7 +62,7 @@ impl Part {
                 return Err(OptimizeError::UnlikeStiffness { faces: [first, other] });
             }
         }
-        Ok(Self { solid, facets, face_stiffness })
+        Ok(Self { solid, facets, face_stiffness, flatness, accessible: None })
     }
 
     /// The part with the same stiffness (force / length) on each face.
@@ -75,6 +79,25 @@ impl Part {
         Self::new(solid, face_stiffness, flatness)
     }
 
+    /// The same part with the places only that the tip of a finger can touch, whatever was asked
+    /// before.
+    ///
+    /// # Errors
+    ///
+    /// [`OptimizeError::Access`]; [`OptimizeError::NothingAccessible`].
+    pub fn accessible_to(self, tip: &BallTip) -> Result<Self, OptimizeError> {
+        let accessible = self.solid.accessible(&self.facets, self.flatness, tip)?;
+        if accessible.iter().all(|facet| facet.triangles().is_empty()) {
+            return Err(OptimizeError::NothingAccessible {
+                radius: tip.radius(),
+                margin: tip.margin(),
+                keep_outs: tip.keep_out().len(),
+                over: if tip.plate().is_some() { " over a hole of the plate" } else { "" },
+            });
+        }
+        Ok(Self { accessible: Some(accessible), ..self })
+    }
+
     /// The solid.
     #[must_use]
     pub const fn solid(&self) -> &Polyhedron {
@@ -85,6 +108,20 @@ impl Part {
     #[must_use]
     pub fn facets(&self) -> &[Facet] {
         &self.facets
+    }
+
+    /// The part of each facet that is accessible, if [`Part::accessible_to`] was asked.
+    #[must_use]
+    pub fn accessible(&self) -> Option<&[AccessibleFacet]> {
+        self.accessible.as_deref()
+    }
+
+    /// The triangles of a facet on which fingers may be.
+    pub(super) fn triangles(&self, facet: usize) -> &[[Vector<3>; 3]] {
+        match &self.accessible {
+            Some(accessible) => accessible[facet].triangles(),
+            None => self.facets[facet].triangles(),
+        }
     }
 
     /// The stiffness of each face (force / length).

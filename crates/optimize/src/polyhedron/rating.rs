@@ -5,6 +5,7 @@ use clench_screw::{Stiffness, Vector, Wrench};
 use clench_shape::ExtremePoints;
 
 use super::scene::Scene;
+use super::tips::{Tip, Tips};
 use super::vectors::{first, second};
 use super::{Fingers, PUSHING};
 use crate::Objective;
@@ -36,9 +37,9 @@ pub(super) struct Rating<'a> {
 
 impl Rating<'_> {
     /// What a placement is worth, if that is more than `floor`; `None` also where too many fingers
-    /// are on one patch.
+    /// are on one patch, or too near to each other.
     pub(super) fn above(&self, spots: &[Spot], floor: Worth) -> Option<Worth> {
-        if self.is_crowded(spots) {
+        if self.is_crowded(spots) || self.is_tight(spots) {
             return None;
         }
         if let Worth::Held(..) = floor {
@@ -67,6 +68,19 @@ impl Rating<'_> {
     fn is_crowded(&self, spots: &[Spot]) -> bool {
         let most = self.scene.most_on_patch;
         spots.iter().any(|spot| spots.iter().filter(|s| s.patch == spot.patch).count() > most)
+    }
+
+    /// Whether fingers are too near to each other, or to given contacts.
+    fn is_tight(&self, spots: &[Spot]) -> bool {
+        self.scene.tips.as_ref().is_some_and(|tips| {
+            let placed: Vec<Tip> = spots.iter().map(|&spot| self.tip(tips, spot)).collect();
+            tips.are_tight(&placed)
+        })
+    }
+
+    /// The ball of a finger at a spot.
+    pub(super) fn tip(&self, tips: &Tips, spot: Spot) -> Tip {
+        tips.at(&self.scene.patches[spot.patch], spot.patch, spot.point)
     }
 
     /// The least share of the preload, how well it is known taken off.

@@ -2,8 +2,9 @@
 
 use clench_screw::spatial::cross;
 use clench_screw::{Twist, Vector};
-use clench_shape::{ExtremePoints, Facet};
+use clench_shape::ExtremePoints;
 
+use super::tips::Tips;
 use super::vectors::{first, joined, second};
 use super::{Fingers, Part, Touch, round};
 use crate::OptimizeError;
@@ -25,10 +26,14 @@ pub(super) struct Patch {
 }
 
 impl Patch {
-    fn of_facet(facet: &Facet, stiffness: f64, scaled: impl Fn(Vector<3>) -> Vector<3>) -> Self {
-        let normal = facet.inward_normal();
+    fn of_facet(
+        normal: Vector<3>,
+        triangles: &[[Vector<3>; 3]],
+        stiffness: f64,
+        scaled: impl Fn(Vector<3>) -> Vector<3>,
+    ) -> Self {
         let triangles: Vec<[Vector<3>; 3]> =
-            facet.triangles().iter().map(|triangle| triangle.map(&scaled)).collect();
+            triangles.iter().map(|triangle| triangle.map(&scaled)).collect();
         let corners = hull(triangles.as_flattened(), normal);
         Self { normal, weight: stiffness.sqrt(), triangles, corners }
     }
@@ -105,6 +110,10 @@ pub(super) struct Scene<'a> {
     /// A few of them, far from each other; all if they are few.
     pub(super) coarse: ExtremePoints<3>,
     pub(super) patches: Vec<Patch>,
+    /// The facet that each patch is on; none for candidates.
+    pub(super) facets: Vec<usize>,
+    /// The balls at the ends of the fingers, if they have to be apart.
+    pub(super) tips: Option<Tips>,
     /// The fixed contacts: unit wrench, and `sqrt(k)`.
     pub(super) fixed: Vec<(Vector<6>, f64)>,
     /// The length of the longest unit wrench, at least 1.
@@ -120,11 +129,16 @@ impl<'a> Scene<'a> {
         let body = solid.extreme_points();
         let frame =
             Scale::new(body.points(), part.face_stiffness().iter().copied(), &fingers.fixed);
-        let patches = part.facets().iter().map(|facet| {
+        let touched = |&facet: &usize| !part.triangles(facet).is_empty();
+        let facets: Vec<usize> = (0..part.facets().len()).filter(touched).collect();
+        let patches = facets.iter().map(|&number| {
+            let facet = &part.facets()[number];
             let stiffness = part.face_stiffness()[facet.faces()[0]] / frame.stiffness;
-            Patch::of_facet(facet, stiffness, |x| frame.scaled(x))
+            let (normal, triangles) = (facet.inward_normal(), part.triangles(number));
+            Patch::of_facet(normal, triangles, stiffness, |x| frame.scaled(x))
         });
-        Self::new(&frame, body, patches.collect(), fingers, fingers.most_on_face)
+        let scene = Self::new(&frame, body, patches.collect(), fingers, fingers.most_on_face)?;
+        Ok(Self { facets, ..scene })
     }
 
     /// Candidates on a body.
@@ -151,6 +165,10 @@ impl<'a> Scene<'a> {
         let scaled: Vec<[f64; 3]> =
             body.points().iter().map(|&x| frame.scaled(x).to_array()).collect();
         let extremes = ExtremePoints::new(&scaled).map_err(|_| OptimizeError::Extent)?;
+        let spacing = fingers.checked_spacing();
+        let given: Vec<_> =
+            fingers.fixed.iter().map(|t| (frame.scaled(t.point), t.inward_normal)).collect();
+        let tips = spacing.map(|spacing| Tips::new(spacing, patches.len(), &given, frame.radius));
         let fixed = fingers.fixed.iter().map(|touch| {
             let patch =
                 Patch::of_touch(touch, touch.stiffness / frame.stiffness, |x| frame.scaled(x));
@@ -171,6 +189,8 @@ impl<'a> Scene<'a> {
             coarse: coarse(&extremes),
             extremes,
             patches,
+            facets: Vec::new(),
+            tips,
             fixed,
             most_on_patch,
         };

@@ -91,6 +91,18 @@ fn stepped<const K: usize>(rating: Rating<'_>, spots: &[Spot; K], step: f64) -> 
             program.add_constraint(row.as_slice(), ComparisonOp::Le, room);
         }
     }
+    if let Some(tips) = &scene.tips {
+        let placed = spots.map(|spot| rating.tip(tips, spot));
+        // Two fingers come nearer by two steps at most, each along both of its axes.
+        for (pair, way, left) in tips.near(&placed, 4.0 * step) {
+            let mut row = Vec::new();
+            for (finger, sign) in pair.into_iter().zip([-1.0, 1.0]) {
+                let Some(i) = finger else { continue };
+                row.extend([0, 1].map(|j| (moves[i][j], sign * way.dot(axes[i][j]))));
+            }
+            program.add_constraint(row.as_slice(), ComparisonOp::Le, left.max(0.0));
+        }
+    }
     balance(rating, spots, (&mut program, &moves, &axes), &shares, step);
     let solution = program.solve().ok()?.into_solution().ok()?;
     let at = |i: usize| {

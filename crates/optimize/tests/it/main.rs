@@ -14,4 +14,5 @@ mod laws;
 mod limits;
 mod sampling;
 mod solid_limits;
+mod solid_tips;
 mod solids;

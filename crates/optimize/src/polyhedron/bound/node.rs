@@ -35,7 +35,8 @@ pub(super) struct Node<'a> {
 
 impl<'a> Node<'a> {
     /// The node of some pieces, with the normals of the one that it is a half of; `None` where too
-    /// many fingers are on one patch, where contacts cannot balance, or hold too little.
+    /// many fingers are on one patch or too near to each other, where contacts cannot balance, or
+    /// hold too little.
     pub(super) fn new(
         rating: Rating<'a>,
         pieces: &'a Pieces<'a>,
@@ -45,6 +46,9 @@ impl<'a> Node<'a> {
         let scene = rating.scene;
         let patches: Vec<Option<usize>> = node.iter().map(|&p| pieces.patch(p)).collect();
         if is_crowded(&patches, scene.most_on_patch) {
+            return None;
+        }
+        if pieces.rooms(node).is_some_and(|(tips, rooms)| tips.are_never_apart(&rooms)) {
             return None;
         }
         let stiffest = |piece: &Piece| {

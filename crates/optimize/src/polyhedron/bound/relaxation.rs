@@ -16,6 +16,10 @@ use crate::search::{Bounded, Floor, Piece, above};
 const FIRST_CUTS: usize = 16;
 const NEXT_CUTS: usize = 4;
 
+/// Where no piece raises the bound by more than this part, what counts is whether fingers are too
+/// near to each other.
+const SMALL_RISE: f64 = 0.02;
+
 /// Steps of the search for the weight of a cut, and the golden section.
 const SECTIONS: usize = 9;
 const GOLDEN: f64 = 0.618_033_988_749_894_9;
@@ -69,7 +73,7 @@ impl<'a> Relaxation<'a> {
         if best.bound <= least {
             return None;
         }
-        let split = self.split(pieces, &node, &best.cut);
+        let split = self.split(pieces, &node, &best);
         let hint = Hint { cut: best.cut, normals: node.normals };
         Some(Bounded { bound: best.bound.min(by_translation), split, hint })
     }
@@ -157,8 +161,9 @@ impl<'a> Relaxation<'a> {
     }
 
     /// The finger whose piece raises the bound most by its extent; of those with several patches,
-    /// while there are any: all else is known better then.
-    fn split(&self, pieces: &[Piece], node: &Node<'_>, cut: &Cut) -> usize {
+    /// while there are any: all else is known better then. Where that is little, the largest piece
+    /// on which a finger may be too near to another.
+    fn split(&self, pieces: &[Piece], node: &Node<'_>, best: &Best) -> usize {
         let several = node.normals.is_none();
         let mut most = (0, f64::NEG_INFINITY);
         for (i, (corners, &piece)) in node.fingers.iter().zip(pieces).enumerate() {
@@ -169,10 +174,15 @@ impl<'a> Relaxation<'a> {
             let all = corners.all();
             let mean =
                 all.iter().fold(Vector::ZERO, |sum, &p| sum + p) * (all.len() as f64).recip();
-            let rise = corners.largest(&cut.form) - value(&cut.form, Vector::ZERO, mean);
+            let rise = corners.largest(&best.cut.form) - value(&best.cut.form, Vector::ZERO, mean);
             if rise > most.1 {
                 most = (i, rise);
             }
+        }
+        if !several && most.1 < SMALL_RISE * best.bound {
+            let rooms = self.pieces.rooms(pieces);
+            let in_doubt = rooms.and_then(|(tips, rooms)| tips.largest_in_doubt(&rooms));
+            return in_doubt.filter(|&i| self.pieces.halves(pieces[i]).is_some()).unwrap_or(most.0);
         }
         most.0
     }

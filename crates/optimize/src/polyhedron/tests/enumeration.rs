@@ -14,7 +14,7 @@ use crate::search::{Bounded, Candidate, Floor, Leaders, Piece, Problem, Settled,
 use crate::{Effort, Ended, OptimizeError, unwatched};
 
 /// What all combinations of seven candidates are worth, if they hold.
-fn all(rating: Rating<'_>) -> Vec<([usize; 7], f64)> {
+pub(super) fn all(rating: Rating<'_>) -> Vec<([usize; 7], f64)> {
     let count = rating.scene.patches.len();
     let mut found = Vec::new();
     let mut set: [usize; 7] = std::array::from_fn(|i| i);

@@ -11,6 +11,7 @@ mod ascents;
 mod bounds;
 mod cuts;
 mod enumeration;
+mod tips;
 
 use clench_screw::spatial::cross;
 use clench_shape::Polyhedron;
