@@ -65,6 +65,19 @@ pub enum OptimizeError {
         /// Words about the plate, if there is one.
         over: &'static str,
     },
+    /// Too few candidates are left whose tips have room.
+    #[error(
+        "the tips of {out} candidates meet something or are over no hole, which leaves {left}, \
+         but {fingers} fingers need as many"
+    )]
+    CandidatesObstructed {
+        /// How many have room.
+        left: usize,
+        /// How many have none.
+        out: usize,
+        /// How many fingers there are to place.
+        fingers: usize,
+    },
     /// An edge number is too large.
     #[error("edge {edge} does not exist: the outline has edges 0 to {last}")]
     NoSuchEdge {

@@ -55,8 +55,9 @@ pub(crate) struct OptimizeArguments {
     #[arg(long, value_name = "F", value_parser = value::positive)]
     #[arg(allow_hyphen_values = true)]
     pub(crate) preload: Option<f64>,
-    /// The radius of the tips of the fingers that are placed. With four and more it changes the
-    /// optimum only by the least distance; on a solid not at all.
+    /// The radius of the tips of the fingers that are placed. On an outline with four and more it
+    /// changes the optimum only by the least distance; on a solid fingers touch only where a ball
+    /// of this radius has room, and apart from each other.
     #[arg(long, value_name = "R", value_parser = value::not_negative, default_value = "0")]
     #[arg(allow_hyphen_values = true)]
     pub(crate) finger_radius: f64,
@@ -70,8 +71,12 @@ pub(crate) struct OptimizeArguments {
     #[arg(long, value_name = "P", value_parser = value::not_negative, default_value = "0")]
     #[arg(allow_hyphen_values = true)]
     pub(crate) least_share: f64,
-    /// Outlines only: no finger nearer than this to an end of an edge. The margin of the file holds
-    /// too.
+    /// On a solid: the least gap between the tips of two fingers, one of them placed; 0 if left out.
+    #[arg(long, value_name = "C", value_parser = value::not_negative)]
+    #[arg(allow_hyphen_values = true)]
+    pub(crate) clearance: Option<f64>,
+    /// No finger nearer than this to an end of an edge, or on a solid to where a plane ends. The
+    /// margin of the file holds too.
     #[arg(long, value_name = "M", value_parser = value::not_negative)]
     #[arg(allow_hyphen_values = true)]
     pub(crate) margin: Option<f64>,
@@ -202,6 +207,9 @@ impl OptimizeArguments {
                 return Err(format!("{option} goes with a solid, but the part is an outline"));
             }
         }
+        if self.clearance.is_some() {
+            return Err("--clearance goes with a solid, but the part is an outline".to_owned());
+        }
         if count == 3 && self.preload.is_none() {
             let message = "--fingers 3 needs --preload <F>, the sum of all contact forces: three \
                            frictionless fingers resist rotation by their preload alone";
@@ -227,7 +235,6 @@ impl OptimizeArguments {
     pub(crate) fn check_for_solid(&self) -> Result<(), String> {
         let given = [
             ("--least-distance", self.least_distance.is_some()),
-            ("--margin", self.margin.is_some()),
             ("--forbid", !self.forbid.is_empty()),
         ];
         match given.iter().find(|(_, given)| *given) {

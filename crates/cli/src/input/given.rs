@@ -45,6 +45,13 @@ impl GivenContact {
         }
     }
 
+    /// The radius of the ball at its end; 0 of one that is curved otherwise, and none if the file
+    /// does not say how it is.
+    pub(crate) fn tip_radius(&self) -> Option<f64> {
+        let finger = self.finger.as_ref()?;
+        Some(finger.radius.map_or(0.0, |radius| radius.0.max(0.0)))
+    }
+
     /// Where it touches, and how the finger is curved.
     pub(crate) fn geometry(&self) -> Geometry<3> {
         *self.contact.overlap().geometry()

@@ -6,6 +6,7 @@ mod alone;
 mod drawn;
 mod part;
 mod solid;
+mod tip;
 mod touch;
 
 mod drawing;
@@ -55,5 +56,6 @@ pub(crate) use part::{
 };
 pub(crate) use place::Place;
 pub(crate) use solid::{mesh_file, touchable};
+pub(crate) use tip::tip;
 pub(crate) use tolerance::Tolerance;
 pub(crate) use touch::without;

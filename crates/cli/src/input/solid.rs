@@ -69,6 +69,7 @@ pub(super) fn body(
         let fault = PartFault::Center { smooth: "ellipsoid" };
         return Err(document.error(&here.field("center"), fault));
     }
+    super::tip::tip(document, spatial)?;
     match (&spatial.vertices, &spatial.faces, &spatial.mesh, &spatial.ellipsoid) {
         (Some(vertices), Some(faces), None, None) => {
             let polyhedron = polyhedron(document, vertices, faces)?;

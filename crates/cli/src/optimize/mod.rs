@@ -2,6 +2,7 @@
 
 mod found;
 mod outline;
+mod room;
 mod solid;
 
 use std::ops::ControlFlow;
@@ -77,6 +78,7 @@ fn question<'a>(
         most_on_face: None,
         roundness: None,
         flatness: None,
+        clearance: arguments.clearance,
         effort: EffortReport {
             top: effort.top,
             gap: effort.gap,
@@ -110,6 +112,8 @@ const fn is_unanswered(error: &OptimizeError) -> bool {
             | OptimizeError::AlwaysEscapes { .. }
             | OptimizeError::NeverHeld { .. }
             | OptimizeError::NothingFound { .. }
+            | OptimizeError::NothingAccessible { .. }
+            | OptimizeError::CandidatesObstructed { .. }
     )
 }
 
@@ -120,7 +124,10 @@ fn refused(name: &str, error: OptimizeError) -> Failure {
         OptimizeError::TooFewContacts { .. } | OptimizeError::TooManyContacts { .. } => {
             "--fingers and --fix"
         }
-        OptimizeError::TooFewCandidates { .. } => "--candidates",
+        OptimizeError::TooFewCandidates { .. } | OptimizeError::CandidatesObstructed { .. } => {
+            "--candidates"
+        }
+        OptimizeError::Clearance { .. } => "--clearance",
         OptimizeError::TotalPreload { .. } => "--preload",
         OptimizeError::FingerRadius { .. } => "--finger-radius",
         OptimizeError::LeastDistance { .. } => "--least-distance, or else twice --finger-radius",

@@ -3,20 +3,22 @@
 use std::path::Path;
 
 use clench::contact::{Curvature, Geometry};
-use clench::optimize::polyhedron::{self, Fingers, Part, ROUNDNESS, Touch, fingers_among};
+use clench::optimize::polyhedron::{self, Fingers, Part, ROUNDNESS, Spacing, Touch, fingers_among};
 use clench::optimize::{OptimizeError, Outcome, Placement, Solution};
-use clench::shape::{Extent, Polyhedron};
+use clench::shape::{BallTip, Extent, Polyhedron};
 
 use super::found::round;
-use super::{Found, Held, On, OutOfRange, Shown};
+use super::{Found, Held, On, OutOfRange, Shown, room};
 use crate::answer::Answer;
 use crate::arguments::OptimizeArguments;
 use crate::failure::Failure;
 use crate::input::schema::{self, File};
-use crate::input::{self, Body, Document, GivenContact, Holder, Solid};
+use crate::input::{self, Body, Document, Finite, GivenContact, Holder, Solid};
 use crate::picture::{self, Figures, Picture};
 use crate::report::html::Source;
-use crate::report::{OptimumReport, OptimumText, PlacementReport, Question, SolidSubject, Subject};
+use crate::report::{
+    MeetsReport, OptimumReport, OptimumText, PlacementReport, Question, SolidSubject, Subject,
+};
 
 /// Where fingers may go.
 enum Places {
@@ -32,6 +34,10 @@ struct Task<'a> {
     solid: &'a Solid,
     fixed: Vec<GivenContact>,
     places: Places,
+    /// Of those candidates whose tips have room, the numbers.
+    open: Vec<usize>,
+    left_out: Vec<MeetsReport>,
+    overlapping: Vec<MeetsReport>,
     /// The files of what is given.
     given: Vec<Source>,
 }
@@ -44,7 +50,8 @@ pub(super) fn optimize(
     body: &Body<Solid>,
 ) -> Result<Answer, Failure> {
     arguments.check_for_solid().map_err(|message| Failure::Usage { message })?;
-    let task = Task::new(arguments, document, &file, body)?;
+    let tip = asked_tip(arguments, document, &mut file)?;
+    let mut task = Task::new(arguments, document, &file, (body, &tip))?;
     let meshes = input::mesh_file(document, &file.part).into_iter().collect();
     name_mesh(&mut file.part, document);
     let question = Question {
@@ -57,7 +64,7 @@ pub(super) fn optimize(
         flatness: Some(body.shape.flatness),
         ..super::question(arguments, &file, (3, &arguments.effort_on_solid()))
     };
-    let outcome = match task.search(&question) {
+    let outcome = match task.restricted(&tip).and_then(|()| task.search(&question)) {
         Ok(outcome) => outcome,
         Err(error) if super::is_unanswered(&error) => {
             let fixed: Vec<Touch> = task.fixed.iter().map(GivenContact::touch).collect();
@@ -74,14 +81,20 @@ pub(super) fn optimize(
     let others = outcome.others.iter().map(placement).collect::<Result<Vec<_>, OutOfRange>>();
     let placements = placement(&outcome.best).and_then(|best| Ok((best, others?)));
     let placements = placements.map_err(super::out_of_range(document.name()))?;
-    let report = OptimumReport::new(&question, &outcome, placements);
+    let surface = match &task.places {
+        Places::Faces(part) => room::surface(part),
+        Places::Candidates(_) => None,
+    };
+    let accessible = room::report(surface, &task.left_out, &task.overlapping);
+    let report =
+        OptimumReport { accessible, ..OptimumReport::new(&question, &outcome, placements) };
     let picture = picture::of_optimum_on_solid(&report, &outcome.best, &body.shape);
     let figures = super::drawn(arguments, || Figures::of_optimum_on_solid(&report, &picture))?;
     let subject = Subject::Solid(SolidSubject {
         solid: &body.shape.polyhedron,
         places: match &task.places {
             Places::Faces(part) => part.facets().len(),
-            Places::Candidates(candidates) => candidates.len(),
+            Places::Candidates(_) => task.open.len(),
         },
         chosen: matches!(task.places, Places::Candidates(_)),
         fixed: task.fixed.len(),
@@ -90,6 +103,31 @@ pub(super) fn optimize(
     let words = OptimumText { name: document.name(), subject, report: &report };
     let picture = Picture::Solid(picture);
     super::answered(arguments, &words, Shown { picture, figures, texts, meshes })
+}
+
+/// The tip of the fingers that are placed; the file gets the margin that was asked for, so that a
+/// report repeats it.
+fn asked_tip(
+    arguments: &OptimizeArguments,
+    document: &Document,
+    file: &mut schema::File,
+) -> Result<BallTip, Failure> {
+    let refused = |option: &str| {
+        let option = option.to_owned();
+        move |error| {
+            let source = Box::new(OptimizeError::Access(error));
+            Failure::Option { option, source }
+        }
+    };
+    let Some(spatial) = &mut file.part.spatial else {
+        return BallTip::new(arguments.finger_radius).map_err(refused("--finger-radius"));
+    };
+    let tip = input::tip(document, spatial)?;
+    let tip = tip.with_radius(arguments.finger_radius).map_err(refused("--finger-radius"))?;
+    let Some(margin) = arguments.margin else { return Ok(tip) };
+    let margin = margin.max(tip.margin());
+    spatial.margin = Some(Finite(margin));
+    tip.with_margin(margin).map_err(refused("--margin"))
 }
 
 /// Names the mesh as it is found from the current folder, where a report is likely to be read.
@@ -105,7 +143,7 @@ impl<'a> Task<'a> {
         arguments: &'a OptimizeArguments,
         document: &Document,
         file: &File,
-        body: &'a Body<Solid>,
+        (body, tip): (&'a Body<Solid>, &BallTip),
     ) -> Result<Self, Failure> {
         let holder = Holder { name: document.name(), units: &file.units, body };
         let mut sources = Vec::new();
@@ -119,7 +157,35 @@ impl<'a> Task<'a> {
             None => Places::Faces(Box::new(input::touchable(document, &file.part, body)?)),
             Some(path) => Places::Candidates(given(path)?),
         };
-        Ok(Self { arguments, solid: &body.shape, fixed, places, given: sources })
+        let solid = &body.shape;
+        let overlapping = room::overlapping(solid, &fixed, &radii(&fixed, 0.0), tip);
+        let left_out = match &places {
+            Places::Faces(_) => Vec::new(),
+            Places::Candidates(all) => {
+                room::obstructed(solid, all, &radii(all, arguments.finger_radius), tip)
+            }
+        };
+        let count = match &places {
+            Places::Faces(_) => 0,
+            Places::Candidates(all) => all.len(),
+        };
+        let is_open = |i: &usize| left_out.iter().all(|out| out.contact != *i);
+        let open = (0..count).filter(is_open).collect();
+        Ok(Self { arguments, solid, fixed, places, open, left_out, overlapping, given: sources })
+    }
+
+    /// Keeps to where a tip has room.
+    fn restricted(&mut self, tip: &BallTip) -> Result<(), OptimizeError> {
+        let (left, fingers) = (self.open.len(), self.arguments.fingers);
+        match &mut self.places {
+            Places::Faces(part) => **part = part.as_ref().clone().accessible_to(tip)?,
+            Places::Candidates(_) if left < fingers && !self.left_out.is_empty() => {
+                let out = self.left_out.len();
+                return Err(OptimizeError::CandidatesObstructed { left, out, fingers });
+            }
+            Places::Candidates(_) => {}
+        }
+        Ok(())
     }
 
     fn search(&self, question: &Question<'_>) -> Result<Outcome<3, 3>, OptimizeError> {
@@ -130,13 +196,26 @@ impl<'a> Task<'a> {
             least_share: arguments.least_share,
             most_on_face: arguments.most_on_face.get(),
             roundness: arguments.roundness.unwrap_or(ROUNDNESS),
+            spacing: Spacing {
+                radius: arguments.finger_radius,
+                clearance: arguments.clearance.unwrap_or(0.0),
+                given: radii(&self.fixed, 0.0),
+                candidates: match &self.places {
+                    Places::Faces(_) => Vec::new(),
+                    Places::Candidates(all) => {
+                        let all = radii(all, arguments.finger_radius);
+                        self.open.iter().map(|&i| all[i]).collect()
+                    }
+                },
+            },
             ..Fingers::new(arguments.fingers)
         };
         let effort = arguments.effort_on_solid();
         super::watched(question.units, |watch| match &self.places {
             Places::Faces(part) => polyhedron::fingers(part, &asked, &effort, watch),
             Places::Candidates(candidates) => {
-                let touches: Vec<Touch> = candidates.iter().map(GivenContact::touch).collect();
+                let touches: Vec<Touch> =
+                    self.open.iter().map(|&i| candidates[i].touch()).collect();
                 let body = self.polyhedron().extreme_points();
                 fingers_among(body, &touches, &asked, &effort, watch)
             }
@@ -167,8 +246,9 @@ impl<'a> Task<'a> {
                 share: share.max(0.0),
             },
             Places::Candidates(candidates) => {
-                let given = &candidates[on];
-                let held = held(given, Some(On::Candidate(on)), share);
+                let number = self.open[on];
+                let given = &candidates[number];
+                let held = held(given, Some(On::Candidate(number)), share);
                 if given.finger.is_some() {
                     return held;
                 }
@@ -181,6 +261,11 @@ impl<'a> Task<'a> {
     fn polyhedron(&self) -> &Polyhedron {
         &self.solid.polyhedron
     }
+}
+
+/// The radii of the tips of contacts; `other` of those that have no finger.
+fn radii(contacts: &[GivenContact], other: f64) -> Vec<f64> {
+    contacts.iter().map(|contact| contact.tip_radius().unwrap_or(other)).collect()
 }
 
 fn held(given: &GivenContact, on: Option<On>, share: f64) -> Held<3> {

@@ -1,5 +1,6 @@
 //! Reports: what is known, as JSON and as text. The text is made from the same numbers.
 
+mod access;
 mod analysis;
 mod analysis_text;
 mod verdict;
@@ -35,6 +36,7 @@ use serde::Serialize;
 
 use crate::failure::Failure;
 
+pub(crate) use access::{AccessReport, MeetsReport, SurfaceReport};
 pub(crate) use analysis::AnalysisReport;
 pub(crate) use analysis_text::AnalysisText;
 pub(crate) use drawing::DrawingReport;

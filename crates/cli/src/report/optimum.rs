@@ -5,6 +5,7 @@ use std::num::NonZeroUsize;
 use clench::optimize::{Combinations, Outcome};
 use serde::{Serialize, Serializer};
 
+use super::access::AccessReport;
 use super::drawing::DrawingReport;
 use super::quality::ReachReport;
 use super::words::{EndWord, LimitWord, ObjectiveWord};
@@ -40,6 +41,9 @@ pub(crate) struct Question<'a> {
     /// How far off its plane a vertex of a solid may be (length).
     #[serde(skip_serializing_if = "Option::is_none")]
     pub(crate) flatness: Option<f64>,
+    /// The least gap between the tips of fingers on a solid, if one is asked for.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(crate) clearance: Option<f64>,
     pub(crate) effort: EffortReport,
 }
 
@@ -70,6 +74,9 @@ pub(crate) struct OptimumReport<'a> {
     pub(crate) best: PlacementReport,
     pub(crate) certificate: CertificateReport,
     pub(crate) combinations: CombinationsReport,
+    /// Where the tips of fingers have room on a solid, if that is not everywhere.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(crate) accessible: Option<AccessReport>,
     /// The best combinations, the best of all included; only if more than one was asked for.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub(crate) top: Vec<PlacementReport>,
@@ -180,6 +187,7 @@ impl<'a> OptimumReport<'a> {
             question,
             best,
             combinations: CombinationsReport { total, examined, nodes },
+            accessible: None,
             top,
         }
     }

@@ -96,6 +96,9 @@ impl OptimumText<'_> {
             None => "no preload given".to_owned(),
         };
         page.head("fingers", format_args!("{}, frictionless, {tips}; {preload}", self.count()));
+        if let Some(accessible) = &report.accessible {
+            accessible.lines(page, units);
+        }
     }
 
     /// The optimum is often a limit that no real finger reaches.

@@ -1,7 +1,7 @@
 //! What can be wrong with a part.
 
 use clench::optimize::OptimizeError;
-use clench::shape::{EllipsoidError, PolygonError, PolyhedronError};
+use clench::shape::{AccessError, EllipsoidError, PolygonError, PolyhedronError};
 
 use super::MeshFault;
 use crate::input::PieceKind;
@@ -79,6 +79,12 @@ pub(crate) enum PartFault {
     /// A margin or a forbidden stretch is not valid.
     #[error(transparent)]
     Forbidden(Box<OptimizeError>),
+    /// Where the tips of fingers may be is not valid.
+    #[error(transparent)]
+    Access(AccessError),
+    /// Where fingers may be on a body without faces.
+    #[error("found `{found}`, which only a solid with faces has")]
+    FacesOnly { found: &'static str },
     /// Nothing is left of the outline.
     #[error("no stretch of any edge is left for the fingers to touch")]
     NowhereToTouch,

@@ -78,4 +78,36 @@ pub(crate) struct Spatial {
     /// Of a contact on each face, or anywhere [force / length].
     #[serde(skip_serializing_if = "Option::is_none")]
     pub(crate) stiffness: Option<PerPiece>,
+    /// No finger nearer to where a plane ends [length].
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(crate) margin: Option<Finite>,
+    /// Boxes in which nothing of a finger may be.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub(crate) keep_out: Vec<KeepOutBox>,
+    /// Where the centers of fingers may be along x and y.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(crate) plate: Option<ModularPlate>,
+}
+
+/// A box along the axes.
+#[derive(Clone, Debug, Deserialize, Serialize)]
+#[serde(deny_unknown_fields, expecting = "a table with `from` and `to`")]
+pub(crate) struct KeepOutBox {
+    /// The lowest corner [length].
+    pub(crate) from: Point<3>,
+    /// The highest corner [length].
+    pub(crate) to: Point<3>,
+}
+
+/// A plate with holes for fingers.
+#[derive(Clone, Debug, Deserialize, Serialize)]
+#[serde(deny_unknown_fields, expecting = "a table with `pitch` and `travel`")]
+pub(crate) struct ModularPlate {
+    /// The distances of holes along x and y [length].
+    pub(crate) pitch: Point<2>,
+    /// Where one hole is; the origin if left out [length].
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(crate) offset: Option<Point<2>>,
+    /// How far a center may be from a hole [length].
+    pub(crate) travel: Finite,
 }

@@ -3,7 +3,7 @@
 use super::super::node::Node;
 
 /// The results of `optimize` at the top of its report: `analyze` reads the rest as a grasp file.
-const RESULT_FIELDS: [&str; 32] = [
+const RESULT_FIELDS: [&str; 34] = [
     "dimension",
     "drawing",
     "fingers",
@@ -16,6 +16,8 @@ const RESULT_FIELDS: [&str; 32] = [
     "most_on_face",
     "roundness",
     "flatness",
+    "clearance",
+    "accessible",
     "effort",
     "quality",
     "sigma_min",
