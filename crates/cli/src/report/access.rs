@@ -65,8 +65,8 @@ impl AccessReport {
             };
             let (percent, tolerance) = (PERCENT * share, units.length(*tolerance));
             page.head(
-                "accessible",
-                format_args!("{percent:.1} % of the surface, to {tolerance}{closed}"),
+                "room",
+                format_args!("{percent:.1} % of the surface is accessible, to {tolerance}{closed}"),
             );
         }
         for (name, what, list) in [

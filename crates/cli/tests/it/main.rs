@@ -31,6 +31,7 @@ mod solids;
 mod spatial_optima;
 mod spatial_pictures;
 mod spatial_refusals;
+mod spatial_tips;
 mod svg_drawings;
 mod terminal;
 mod unanswered;
