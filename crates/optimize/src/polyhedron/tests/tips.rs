@@ -13,7 +13,7 @@ use crate::{Effort, Ended, OptimizeError, unwatched};
 fn the_search_finds_the_best_of_all_combinations_that_keep_a_clearance() {
     let mut r = Random::new(63);
     let (mut answered, mut changed) = (0, 0);
-    for round in 0..60 {
+    for round in 0..96 {
         let part = part(&mut r, [0, 3, 4, 5][round % 4]);
         let candidates: Vec<Touch> = (0..13 + r.below(3)).map(|_| touch(&mut r, &part)).collect();
         let fixed: Vec<Touch> = (0..round % 3).map(|_| touch(&mut r, &part)).collect();
