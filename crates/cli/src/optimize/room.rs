@@ -2,7 +2,7 @@
 
 use clench::optimize::polyhedron::Part;
 use clench::screw::Vector;
-use clench::shape::{ACCESS_TOLERANCE, BallTip};
+use clench::shape::{ACCESS_TOLERANCE, AccessibleFacet, BallTip, Facet};
 
 use crate::input::{GivenContact, Solid};
 use crate::report::{AccessReport, MeetsReport, SurfaceReport};
@@ -15,10 +15,10 @@ pub(super) fn surface(part: &Part) -> Option<SurfaceReport> {
     let accessible = part.accessible()?;
     let facets = part.facets().iter().zip(accessible);
     let is_whole = facets.clone().all(|(facet, some)| facet.triangles() == some.triangles());
-    let total: f64 = part.facets().iter().map(|facet| facet.area()).sum();
+    let total: f64 = part.facets().iter().map(Facet::area).sum();
     let closed = facets.filter(|(_, some)| some.triangles().is_empty());
     (!is_whole).then(|| SurfaceReport {
-        share: accessible.iter().map(|some| some.area()).sum::<f64>() / total,
+        share: accessible.iter().map(AccessibleFacet::area).sum::<f64>() / total,
         tolerance: ACCESS_TOLERANCE * part.solid().enclosing_radius(),
         closed_faces: closed.map(|(facet, _)| facet.faces()[0]).collect(),
     })

@@ -182,4 +182,10 @@ fn the_keys_of_the_reports_are_those_of_the_page() {
          --candidates parts/clamp-places.toml --fingers 2 --preload 1 --top 2",
     );
     assert_eq!(keys(&solid), listed(&[optimize, "| of a solid | value"]));
+    let tips = folder.json(
+        "optimize parts/bearing-block.toml --fix parts/locators-321.toml --fingers 3 --nodes 1 \
+         --finger-radius 4 --clearance 1",
+    );
+    let more: BTreeSet<String> = keys(&tips).difference(&keys(&solid)).cloned().collect();
+    assert_eq!(more, listed(&["| of a solid, where tips need room | value"]));
 }
