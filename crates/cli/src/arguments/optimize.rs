@@ -71,7 +71,8 @@ pub(crate) struct OptimizeArguments {
     #[arg(long, value_name = "P", value_parser = value::not_negative, default_value = "0")]
     #[arg(allow_hyphen_values = true)]
     pub(crate) least_share: f64,
-    /// On a solid: the least gap between the tips of two fingers, one of them placed; 0 if left out.
+    /// On a solid: the least gap between the tips of two fingers, one of them placed; 0 if left
+    /// out.
     #[arg(long, value_name = "C", value_parser = value::not_negative)]
     #[arg(allow_hyphen_values = true)]
     pub(crate) clearance: Option<f64>,

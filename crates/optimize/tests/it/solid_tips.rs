@@ -10,23 +10,13 @@ use parry3d_f64::math::Vector as ParryVector;
 use parry3d_f64::query::PointQuery;
 use parry3d_f64::shape::TriMesh;
 
+use crate::solids::locators;
+
 /// Distances of up to 10 are found in tens of operations.
 const ROUNDING: f64 = 1e-12;
 
 fn touch(point: [f64; 3], inward_normal: [f64; 3]) -> Touch {
     Touch { point: point.into(), inward_normal: inward_normal.into(), stiffness: 1.0 }
-}
-
-/// Six locators of an L: below, behind, beside.
-fn locators() -> Vec<Touch> {
-    vec![
-        touch([0.3, 0.3, -1.0], [0.0, 0.0, 1.0]),
-        touch([3.7, 0.5, -1.0], [0.0, 0.0, 1.0]),
-        touch([0.5, 2.7, -1.0], [0.0, 0.0, 1.0]),
-        touch([0.5, 0.0, 0.0], [0.0, 1.0, 0.0]),
-        touch([3.5, 0.0, 0.2], [0.0, 1.0, 0.0]),
-        touch([0.0, 2.5, 0.1], [1.0, 0.0, 0.0]),
-    ]
 }
 
 fn angle() -> Part {

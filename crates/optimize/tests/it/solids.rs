@@ -23,7 +23,7 @@ fn touch(point: [f64; 3], inward_normal: [f64; 3]) -> Touch {
 }
 
 /// Three locators under an L, two behind it, one beside it.
-fn locators() -> Vec<Touch> {
+pub(crate) fn locators() -> Vec<Touch> {
     vec![
         touch([0.3, 0.3, -1.0], [0.0, 0.0, 1.0]),
         touch([3.7, 0.5, -1.0], [0.0, 0.0, 1.0]),
