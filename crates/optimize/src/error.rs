@@ -35,8 +35,11 @@ pub enum OptimizeError {
         /// What was found.
         value: f64,
     },
-    /// The finger radius is negative or not finite.
-    #[error("the finger radius is {value}, but has to be a finite number, zero or positive")]
+    /// The finger radius is negative, or twice as much is not finite.
+    #[error(
+        "the finger radius is {value}, but has to be zero or positive, and a finite number when \
+         doubled"
+    )]
     FingerRadius {
         /// What was found.
         value: f64,
@@ -125,12 +128,6 @@ pub enum OptimizeError {
          whole part"
     )]
     NoClosedForm,
-    /// The least distance of fingers is negative or not finite.
-    #[error("the least distance is {value}, but has to be a finite number, zero or positive")]
-    LeastDistance {
-        /// What was found.
-        value: f64,
-    },
     /// The least share of the preload is negative, or more than all fingers can have.
     #[error("the least share of the preload is {value}, but has to be from 0 to below {limit}")]
     LeastShare {

@@ -11,6 +11,7 @@
 //! | the same where sides are cut into many faces, as in a mesh | [`Polyhedron::facets`] |
 //! | where a finger with a round tip can touch | [`Polyhedron::accessible`] |
 //! | the same on a round body, with the curvature | [`Ellipsoid::at_normal`], [`BoundaryPoint`] |
+//! | where a round finger has room to touch | [`Polygon::accessible`], [`Polyhedron::accessible`] |
 //! | what of the boundary a given point lies on | [`Polygon::place`], [`Polyhedron::place`] |
 //! | the signed distance of a point | [`Ellipsoid::nearest`], [`Polyhedron::signed_distance`] |
 //! | how deep two bodies overlap, `delta` | [`planar::deepest_pair`], [`spatial::deepest_pair`] |
@@ -54,6 +55,10 @@ mod polygon;
 mod edge;
 mod place;
 
+mod access_error;
+mod disc_tip;
+mod plate;
+
 mod circle;
 mod extent;
 mod extreme_points;
@@ -83,11 +88,13 @@ mod tree;
 mod triangulation;
 mod validity;
 
+pub use access_error::AccessError;
 pub use ball::Ball;
 pub use border::Border;
 pub use boundary_point::{BoundaryPoint, Nearest};
 pub use circle::Circle;
 pub use deepest::{BodyError, DeepestPair, OverlapError, Side};
+pub use disc_tip::{DiscTip, MOST_HOLES_AT_EDGE};
 pub use edge::Edge;
 pub use ellipsoid::{Ellipsoid, EllipsoidError, LARGEST_ASPECT};
 pub use error::PolygonError;
@@ -95,11 +102,12 @@ pub use extent::Extent;
 pub use extreme_points::{ExtremePoints, Farthest};
 pub use partition::{FarthestPartition, Region};
 pub use place::Place;
+pub use plate::Plate;
 pub use point_hull::PointHull;
 pub use polygon::{Polygon, Winding};
 pub use polyhedron::{
-    ACCESS_TOLERANCE, AccessError, AccessibleFacet, BallTip, Face, FaceFeature, FacePlace, Facet,
-    KeepOut, LARGEST_SOLID_COORDINATE, MOST_HOLES, Obstruction, Plate, Polyhedron, PolyhedronError,
+    ACCESS_TOLERANCE, AccessibleFacet, BallTip, Face, FaceFeature, FacePlace, Facet, KeepOut,
+    LARGEST_SOLID_COORDINATE, MOST_HOLES, Obstruction, Polyhedron, PolyhedronError,
     SMALLEST_SOLID_COORDINATE,
 };
 pub use reach::Reach;

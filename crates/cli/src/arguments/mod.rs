@@ -27,6 +27,8 @@ const FILE: &str = r#"A part file, in TOML (or the same in JSON):
   stiffness = 1.0                            # of a contact on each edge; or a list, one per edge
   margin = 0.5                               # no finger nearer to a corner; 0 if left out
   forbidden = [2, { edge = 1, from = 0, to = 3 }] # edges, and stretches along them
+  keep_out = [[[10, 9], [14, 9], [14, 12]]]  # polygons without fingers
+  plate = { pitch = [5, 5], offset = [0, 0], travel = 2 } # centers of tips near its holes
 
 Other parts, one shape each; `optimize` takes outlines, and solids with faces:
 
@@ -84,9 +86,8 @@ docs/files.md has all fields. Corners, vertices, edges, faces and contacts count
 joins corner e to corner e + 1. A contact has to be on the boundary up to 1e-6 of the part's
 radius. `-` reads standard input.
 
-Not checked: fingers may overlap each other or the part away from their contacts, and nothing says
-whether there is room for them, except for --least-distance and --margin on an outline. With four
-and more fingers the radius enters the optimum by the least distance only.
+Fingers with a --finger-radius touch only where the disc, on a solid the ball, at their end has
+room beside the part, and do not overlap each other; shanks and clamps behind them are not checked.
 
 Exit codes: 0 an answer; 1 bad input, nothing written; 2 wrong usage; 3 no answer, or a check that
 failed, with the reason."#;

@@ -55,24 +55,17 @@ pub(crate) struct OptimizeArguments {
     #[arg(long, value_name = "F", value_parser = value::positive)]
     #[arg(allow_hyphen_values = true)]
     pub(crate) preload: Option<f64>,
-    /// The radius of the tips of the fingers that are placed. On an outline with four and more it
-    /// changes the optimum only by the least distance; on a solid fingers touch only where a ball
-    /// of this radius has room, and apart from each other.
+    /// The radius of the tips of the fingers that are placed. They touch only where a disc, on a
+    /// solid a ball, of this radius has room, and do not overlap each other.
     #[arg(long, value_name = "R", value_parser = value::not_negative, default_value = "0")]
     #[arg(allow_hyphen_values = true)]
     pub(crate) finger_radius: f64,
-    /// Outlines only: the least distance of two fingers on one edge; twice the finger radius if
-    /// left out. Three fingers are on three edges.
-    #[arg(long, value_name = "D", value_parser = value::not_negative)]
-    #[arg(allow_hyphen_values = true)]
-    pub(crate) least_distance: Option<f64>,
     /// The least share of the preload that each contact has: from 0 to below 1/N, N with those of
     /// --fix.
     #[arg(long, value_name = "P", value_parser = value::not_negative, default_value = "0")]
     #[arg(allow_hyphen_values = true)]
     pub(crate) least_share: f64,
-    /// On a solid: the least gap between the tips of two fingers, one of them placed; 0 if left
-    /// out.
+    /// The least gap between the tips of two fingers, one of them placed; 0 if left out.
     #[arg(long, value_name = "C", value_parser = value::not_negative)]
     #[arg(allow_hyphen_values = true)]
     pub(crate) clearance: Option<f64>,
@@ -171,12 +164,6 @@ impl OptimizeArguments {
         }
     }
 
-    /// The least distance of two fingers on one edge; none where each is on an edge of its own.
-    pub(crate) fn least_distance(&self) -> Option<f64> {
-        let tips = 2.0 * self.finger_radius;
-        (self.fingers > 3).then(|| self.least_distance.unwrap_or(tips))
-    }
-
     /// Checks that the options go with each other, whatever the part is.
     pub(super) fn checked(&self) -> Result<(), (ErrorKind, String)> {
         if self.least_translation.is_some() && self.objective != Some(ObjectiveArgument::Rotation) {
@@ -208,9 +195,6 @@ impl OptimizeArguments {
                 return Err(format!("{option} goes with a solid, but the part is an outline"));
             }
         }
-        if self.clearance.is_some() {
-            return Err("--clearance goes with a solid, but the part is an outline".to_owned());
-        }
         if count == 3 && self.preload.is_none() {
             let message = "--fingers 3 needs --preload <F>, the sum of all contact forces: three \
                            frictionless fingers resist rotation by their preload alone";
@@ -218,10 +202,6 @@ impl OptimizeArguments {
         }
         if count == 3 && self.maximized(2) != ObjectiveArgument::Quality {
             return Err("--fingers 3 goes with --objective quality only".to_owned());
-        }
-        if count == 3 && self.least_distance.is_some() {
-            let reason = "three fingers are on three edges";
-            return Err(format!("--least-distance does not go with --fingers 3: {reason}"));
         }
         if self.least_share >= share_limit {
             let found = self.least_share;
@@ -234,10 +214,7 @@ impl OptimizeArguments {
 
     /// Checks that the options go with a solid.
     pub(crate) fn check_for_solid(&self) -> Result<(), String> {
-        let given = [
-            ("--least-distance", self.least_distance.is_some()),
-            ("--forbid", !self.forbid.is_empty()),
-        ];
+        let given = [("--forbid", !self.forbid.is_empty())];
         match given.iter().find(|(_, given)| *given) {
             Some((option, _)) => {
                 Err(format!("{option} goes with an outline, but the part is a solid"))

@@ -56,6 +56,6 @@ pub(crate) use part::{
 };
 pub(crate) use place::Place;
 pub(crate) use solid::{mesh_file, touchable};
-pub(crate) use tip::tip;
+pub(crate) use tip::{disc_tip, tip};
 pub(crate) use tolerance::Tolerance;
 pub(crate) use touch::without;

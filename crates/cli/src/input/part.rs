@@ -155,6 +155,10 @@ fn check_no_margin(document: &Document, planar: &schema::Planar) -> Result<(), F
     match planar {
         schema::Planar { holes, .. } if !holes.is_empty() => Err(only("holes", "`holes`")),
         schema::Planar { margin: Some(_), .. } => Err(only("margin", "a `margin`")),
+        schema::Planar { plate: Some(_), .. } => Err(only("plate", "a `plate`")),
+        schema::Planar { keep_out, .. } if !keep_out.is_empty() => {
+            Err(only("keep_out", "a `keep_out`"))
+        }
         schema::Planar { forbidden, .. } if !forbidden.is_empty() => {
             Err(only("forbidden", "`forbidden` edges"))
         }

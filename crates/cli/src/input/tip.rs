@@ -1,6 +1,6 @@
-//! Where the tips of fingers may be beside a solid.
+//! Where the tips of fingers may be beside a part.
 
-use clench::shape::{AccessError, BallTip, KeepOut, Plate};
+use clench::shape::{AccessError, BallTip, DiscTip, KeepOut, Plate, Polygon};
 
 use super::document::Document;
 use super::fault::PartFault;
@@ -30,10 +30,36 @@ pub(crate) fn tip(document: &Document, spatial: &schema::Spatial) -> Result<Ball
         KeepOut::new(given.from.0, given.to.0).map_err(refused(place))
     });
     tip = tip.keeping_out(boxes.collect::<Result<_, _>>()?);
-    if let Some(plate) = &spatial.plate {
-        let offset = plate.offset.map_or([0.0; 2], |offset| offset.0);
-        let plate = Plate::new(plate.pitch.0, offset, plate.travel.0);
-        tip = tip.over(plate.map_err(refused(here("plate")))?);
+    if let Some(given) = &spatial.plate {
+        tip = tip.over(plate(given).map_err(refused(here("plate")))?);
     }
     Ok(tip)
+}
+
+/// The tip of a finger of this radius on an outline, with what the file of the part says about where
+/// it may be.
+pub(crate) fn disc_tip(
+    document: &Document,
+    planar: &schema::Planar,
+    radius: f64,
+) -> Result<DiscTip, Failure> {
+    let here = |name: &str| Place::planar().field(name);
+    let refused =
+        |place: Place| move |fault: AccessError| document.error(&place, PartFault::Access(fault));
+    let regions = planar.keep_out.iter().enumerate().map(|(number, corners)| {
+        let corners: Vec<[f64; 2]> = corners.iter().map(|corner| corner.0).collect();
+        let place = here("keep_out").item(number);
+        Polygon::new(&corners).map_err(|fault| document.error(&place, PartFault::Outline(fault)))
+    });
+    let mut tip = DiscTip::new(radius).map_err(refused(Place::planar()))?;
+    tip = tip.keeping_out(regions.collect::<Result<_, _>>()?);
+    if let Some(given) = &planar.plate {
+        tip = tip.over(plate(given).map_err(refused(here("plate")))?);
+    }
+    Ok(tip)
+}
+
+fn plate(given: &schema::ModularPlate) -> Result<Plate, AccessError> {
+    let offset = given.offset.map_or([0.0; 2], |offset| offset.0);
+    Plate::new(given.pitch.0, offset, given.travel.0)
 }

@@ -7,6 +7,7 @@ use super::document::Document;
 use super::fault::PartFault;
 use super::place::Place;
 use super::schema::{self, Forbidden, ForbiddenStretch};
+use super::tip::disc_tip;
 use crate::failure::Failure;
 
 /// The part without what its file forbids.
@@ -15,6 +16,8 @@ pub(super) fn allowed(
     part: Part,
     planar: &schema::Planar,
 ) -> Result<Part, Failure> {
+    // What is said about tips has to be sound, whoever asks.
+    disc_tip(document, planar, 0.0)?;
     let mut part = part;
     if let Some(margin) = planar.margin {
         let place = Place::planar().field("margin");

@@ -26,15 +26,13 @@ pub(super) fn optimize(
 ) -> Result<Answer, Failure> {
     arguments.check_for_outline().map_err(|message| Failure::Usage { message })?;
     let part = restricted(part, arguments)?;
+    let part = accessible(part, (document, &file.part), arguments.finger_radius)?;
     add_restrictions(&mut file.part, arguments);
     let effort = arguments.effort_on_outline();
     let drawing = drawn.map(DrawingReport::new);
     let meshes = drawn.map(|drawn| drawn.path.clone()).into_iter().collect();
-    let question = Question {
-        drawing: drawing.as_ref(),
-        least_distance: arguments.least_distance(),
-        ..super::question(arguments, &file, (2, &effort))
-    };
+    let question =
+        Question { drawing: drawing.as_ref(), ..super::question(arguments, &file, (2, &effort)) };
     let outcome = match search(&part, &question, (arguments, &effort)) {
         Ok(outcome) => outcome,
         Err(error) if super::is_unanswered(&error) => {
@@ -83,6 +81,26 @@ fn restricted(part: Part, arguments: &OptimizeArguments) -> Result<Part, Failure
     Ok(part)
 }
 
+/// The part where the tips of its fingers have room.
+fn accessible(
+    part: Part,
+    (document, file): (&Document, &schema::Part),
+    radius: f64,
+) -> Result<Part, Failure> {
+    let Some(planar) = &file.planar else { return Ok(part) };
+    let tip = input::disc_tip(document, planar, radius)?;
+    let name = || document.name().to_owned();
+    let part = part.accessible_to(&tip);
+    let part = part.map_err(|error| super::refused(&name(), error))?;
+    if part.stretches().is_empty() {
+        let regions = if planar.keep_out.is_empty() { "" } else { ", keep_out" };
+        let plate = if planar.plate.is_some() { ", plate" } else { "" };
+        let option = format!("--finger-radius {radius}{regions}{plate}");
+        return Err(Failure::Option { option, source: Box::new(OptimizeError::NowhereToTouch) });
+    }
+    Ok(part)
+}
+
 /// The part of the file with what the command line forbids, so that a report repeats all of it.
 fn add_restrictions(part: &mut schema::Part, arguments: &OptimizeArguments) {
     let Some(planar) = &mut part.planar else { return };
@@ -105,15 +123,16 @@ fn search(
     (arguments, effort): (&OptimizeArguments, &Effort),
 ) -> Result<Outcome<2, 1>, OptimizeError> {
     let Question { fingers: count, finger_radius, least_share, .. } = *question;
+    let clearance = question.clearance.unwrap_or(0.0);
     super::watched(question.units, |watch| {
         if count == 3 {
             let total_preload = arguments.preload.unwrap_or(0.0);
-            let question = ThreeFingers { total_preload, finger_radius, least_share };
+            let question = ThreeFingers { total_preload, finger_radius, clearance, least_share };
             return three_fingers(part, &question, effort, watch);
         }
         let objective = arguments.objective(2);
-        let least_distance = question.least_distance.unwrap_or(0.0);
-        fingers(part, &Fingers { count, objective, least_distance, least_share }, effort, watch)
+        let asked = Fingers { count, objective, finger_radius, clearance, least_share };
+        fingers(part, &asked, effort, watch)
     })
 }
 

@@ -20,6 +20,9 @@ const NUMBERED_CORNERS: usize = 40;
 /// a hundredth of a point off.
 const SMOOTH_CORNERS: usize = 360;
 
+/// Regions are drawn up to so many radii from the part's center.
+const SHOWN: f64 = 1.5;
+
 /// How wide strips without fingers are drawn, beside the part's radius.
 const STRIP: f64 = 0.03;
 
@@ -83,12 +86,34 @@ pub(crate) fn of_optimum(report: &OptimumReport<'_>, part: &Part) -> GraspPictur
     picture.caption.push(String::new());
     let size = part.outline().enclosing_circle().radius;
     picture.caption.extend(placed(contacts, size, units));
+    picture.regions = kept_out(report, part);
+    if !picture.regions.is_empty() {
+        picture.caption.extend([String::new(), "grey: kept out of".to_owned()]);
+    }
     let gaps = untouchable(part);
     if !gaps.is_empty() {
         picture.caption.extend([String::new(), "shaded: no finger".to_owned()]);
-        picture.regions = gaps.into_iter().map(|gap| shaded(part, gap)).collect();
+        picture.regions.extend(gaps.into_iter().map(|gap| shaded(part, gap)));
     }
     picture
+}
+
+/// The regions that fingers keep out of, as far as they are near the part.
+fn kept_out(report: &OptimumReport<'_>, part: &Part) -> Vec<Region> {
+    let circle = part.outline().enclosing_circle();
+    let near = |corner: [f64; 2]| -> [f64; 2] {
+        std::array::from_fn(|i| {
+            let far = SHOWN * circle.radius;
+            corner[i].clamp(circle.center[i] - far, circle.center[i] + far)
+        })
+    };
+    let planar = report.question.part.planar.as_ref();
+    let regions = planar.map_or(&[][..], |planar| &planar.keep_out);
+    let shown = regions.iter().map(|corners| Region {
+        corners: corners.iter().map(|corner| near(corner.0)).collect(),
+        color: Color::GREY,
+    });
+    shown.collect()
 }
 
 /// The stretches of edges that fingers may not touch.

@@ -29,8 +29,6 @@ pub(crate) struct Question<'a> {
     pub(crate) least_translation: Option<f64>,
     pub(crate) total_preload: Option<f64>,
     pub(crate) finger_radius: f64,
-    /// Not of three fingers, and not on a solid.
-    pub(crate) least_distance: Option<f64>,
     pub(crate) least_share: f64,
     /// How many of the placed fingers may be on one plane of a solid, and levers of which part of
     /// the reach count as none.

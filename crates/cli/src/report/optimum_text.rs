@@ -135,8 +135,14 @@ impl OptimumText<'_> {
         if let Some(least) = question.least_translation.filter(|least| *least > 0.0) {
             conditions.push(format!("sigma_min at least {}", units.stiffness(least)));
         }
-        if let Some(least) = question.least_distance.filter(|least| *least > 0.0) {
-            conditions.push(format!("{} or more apart on one edge", units.length(least)));
+        match question.clearance.filter(|clearance| *clearance > 0.0) {
+            Some(clearance) => {
+                conditions.push(format!("{} or more between tips", units.length(clearance)));
+            }
+            None if question.finger_radius > 0.0 => {
+                conditions.push("tips that do not overlap".to_owned());
+            }
+            None => {}
         }
         if question.least_share > 0.0 {
             let least = digits(question.least_share);
@@ -148,6 +154,13 @@ impl OptimumText<'_> {
         let planar = question.part.planar.as_ref();
         if let Some(margin) = planar.and_then(|planar| planar.margin).filter(|m| m.0 > 0.0) {
             conditions.push(format!("{} or more from each corner", units.length(margin.0)));
+        }
+        if let Some(planar) = planar.filter(|planar| !planar.keep_out.is_empty()) {
+            let regions = wording::counted(planar.keep_out.len(), "region");
+            conditions.push(format!("out of {regions}"));
+        }
+        if planar.is_some_and(|planar| planar.plate.is_some()) {
+            conditions.push("over a hole of the plate".to_owned());
         }
         let forbidden = planar.map_or(&[][..], |planar| &planar.forbidden);
         if !forbidden.is_empty() {

@@ -91,24 +91,23 @@ fn the_worst_point_is_maximized() {
 }
 
 #[test]
-fn fingers_on_one_edge_keep_their_distance() {
+fn fingers_keep_their_distance() {
     let folder = quadrilateral("distance");
     let question = "optimize part.toml --fingers 4";
     // The best two on edge 0 are at its ends; a distance that they have changes nothing.
     let free = folder.json(question);
     assert_eq!(on_edge_0(&free), [0.0, 13.0]);
-    let near = folder.json(&format!("{question} --least-distance 12"));
-    assert_eq!((&near["contacts"], &near["least_distance"]), (&free["contacts"], &12.0.into()));
-    let far = folder.json(&format!("{question} --least-distance 13.5"));
-    assert!(on_edge_0(&far).len() < 2, "{}", far["contacts"]);
+    let near = folder.json(&format!("{question} --clearance 3"));
+    assert_eq!((&near["contacts"], &near["clearance"]), (&free["contacts"], &3.0.into()));
+    let far = folder.json(&format!("{question} --clearance 6.5"));
     assert!(number(&far["quality"]) < number(&free["quality"]));
-    // Two discs are as far apart as their radii, unless told otherwise.
-    let discs = folder.json(&format!("{question} --finger-radius 6.75"));
-    assert_eq!((&discs["quality"], &discs["least_distance"]), (&far["quality"], &13.5.into()));
-    let told = folder.json(&format!("{question} --finger-radius 6.75 --least-distance 0"));
-    assert_eq!(told["quality"], free["quality"]);
+    // Two discs are as far apart as their radii.
+    let discs = folder.json(&format!("{question} --finger-radius 3.25"));
+    assert!(number(&discs["quality"]) > 0.0);
+    let text = folder.run(&format!("{question} --finger-radius 2 --clearance 0.5")).out;
+    assert_says(&text, &["asked for 0.5 L or more between tips\n"]);
     let text = folder.run(&format!("{question} --finger-radius 2")).out;
-    assert_says(&text, &["asked for 4 L or more apart on one edge\n"]);
+    assert_says(&text, &["asked for tips that do not overlap\n"]);
 }
 
 #[test]
@@ -180,7 +179,7 @@ fn the_picture_shows_where_no_finger_goes() {
 #[test]
 fn a_report_repeats_the_question() {
     let folder = quadrilateral("round-trip");
-    let options = "--objective rotation --least-translation 1.2 --least-distance 1 \
+    let options = "--objective rotation --least-translation 1.2 --clearance 1 \
                    --least-share 0.03 --gap 0.001 --nodes 100000 --time 3600 --top 2 --preload 0.1";
     let restricted = "--margin 0.25 --forbid 2 --forbid 1:3-4";
     let question = format!("--fingers 4 {options} --format json");
@@ -190,7 +189,7 @@ fn a_report_repeats_the_question() {
     let effort = &report["effort"];
     assert_eq!((&effort["top"], &effort["gap"]), (&2.into(), &0.001.into()));
     assert_eq!((&effort["nodes"], &effort["time"]), (&100_000.into(), &3600.0.into()));
-    assert_eq!((&report["least_distance"], &report["least_share"]), (&1.0.into(), &0.03.into()));
+    assert_eq!((&report["clearance"], &report["least_share"]), (&1.0.into(), &0.03.into()));
     folder.write("report.json", &first.out);
     assert!(folder.run(&format!("optimize report.json {question}")).out == first.out);
     assert!(folder.run(&format!("optimize report.json {restricted} {question}")).out == first.out);
@@ -200,10 +199,7 @@ fn a_report_repeats_the_question() {
         assert_close(a, b, ROUNDING, b, name);
     }
     let three = folder.json("optimize part.toml --fingers 3 --preload 1");
-    assert_eq!(
-        (&three["least_distance"], &three["least_translation"]),
-        (&Value::Null, &Value::Null)
-    );
+    assert_eq!(three["least_translation"], Value::Null);
     assert_eq!((&three["effort"]["gap"], &three["effort"]["time"]), (&0.0.into(), &Value::Null));
 }
 

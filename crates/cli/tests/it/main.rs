@@ -24,6 +24,7 @@ mod reference_numbers;
 mod references;
 mod refusals;
 mod robustness;
+mod room;
 mod run;
 mod searches;
 mod sketch;

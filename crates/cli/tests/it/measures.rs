@@ -342,10 +342,7 @@ fn numbers_out_of_range_are_no_answer() {
     folder.write("grasp.toml", figure_1().replace("stiffness = 1\n", "stiffness = 7e-309\n"));
     let ran = folder.run("analyze grasp.toml --format json");
     assert_eq!(ran.code, Some(3), "{}", ran.err);
-    assert_says(
-        &ran.err,
-        &["no answer: the body moves by inf and resists with ", "in the range of doubles"],
-    );
+    assert_says(&ran.err, &["the body moves by inf and resists with ", "in the range of doubles"]);
     assert_eq!(ran.json().get("quality"), None);
 }
 

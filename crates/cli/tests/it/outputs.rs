@@ -107,7 +107,7 @@ fn help_shows_files_and_examples() {
         let ran = folder.run(arguments);
         assert_eq!(ran.code, Some(0));
         assert!(ran.out.contains("[part.planar]"), "{arguments}");
-        assert!(ran.out.contains("Not checked: fingers may overlap"), "{arguments}");
+        assert!(ran.out.contains("shanks and clamps behind them are not checked"), "{arguments}");
         assert!(ran.out.contains("clench optimize bracket.toml --fingers 4"), "{arguments}");
     }
 }

@@ -23,7 +23,6 @@ fn refused(folder: &Folder, question: &str, code: i32, pieces: &[&str]) {
 fn options_that_do_not_go_with_a_solid_are_wrong_usage() {
     let folder = located("usage");
     for (options, pieces) in [
-        ("--fingers 3 --least-distance 1", ["--least-distance goes with an outline", "a solid"]),
         ("--fingers 3 --forbid 1", ["--forbid goes with an outline", "a solid"]),
         ("--fingers 0", ["found 0", "expected from 1 to 12"]),
         ("--fingers 13", ["found 13", "expected from 1 to 12"]),

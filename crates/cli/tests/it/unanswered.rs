@@ -155,7 +155,7 @@ fn a_finger_that_would_have_to_pull_is_named() {
     let folder = Folder::new("pulling");
     folder.write("grasp.toml", grasp(&contacts));
     let ran = folder.run("analyze grasp.toml --format json");
-    let report = assert_unanswered(&ran, &["no answer"]);
+    let report = assert_unanswered(&ran, &["no_answer"]);
     assert_eq!(report["force_closure"], false);
 
     let (_, ran) = square(

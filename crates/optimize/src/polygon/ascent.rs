@@ -39,18 +39,18 @@ const ROOTS: [f64; 8] = [
 ];
 
 /// The highest placements that ascents arrive at, best first, with their ratings. `rate` is given a
-/// floor, and need not answer for what is not above it.
+/// floor, need not answer for what is not above it, and may mend a placement.
 pub(crate) fn ascents<const K: usize>(
     stretches: usize,
-    rate: impl Fn(&[Spot; K], f64) -> Option<f64> + Sync,
+    rate: impl Fn(&[Spot; K], f64) -> Option<(f64, [Spot; K])> + Sync,
     fine: bool,
 ) -> Vec<(f64, [Spot; K])> {
     let mut climbers: Vec<(f64, [Spot; K])> = Vec::new();
     for j in 1..=TRIALS {
         let spots = trial(j, stretches);
         let floor = climbers.get(CLIMBERS - 1).map_or(0.0, |last| last.0);
-        if let Some(value) = rate(&spots, floor) {
-            climbers.push((value, spots));
+        if let Some(rated) = rate(&spots, floor) {
+            climbers.push(rated);
             climbers.sort_by(|a, b| b.0.total_cmp(&a.0));
             climbers.truncate(CLIMBERS);
         }
@@ -75,7 +75,7 @@ fn trial<const K: usize>(j: usize, stretches: usize) -> [Spot; K] {
 /// The best placement that single fingers and pairs of them reach, with shrinking steps.
 pub(crate) fn climb<const K: usize>(
     stretches: usize,
-    rate: &impl Fn(&[Spot; K], f64) -> Option<f64>,
+    rate: &impl Fn(&[Spot; K], f64) -> Option<(f64, [Spot; K])>,
     (mut best, mut at): (f64, [Spot; K]),
     first_step: usize,
     fine: bool,
@@ -84,8 +84,8 @@ pub(crate) fn climb<const K: usize>(
     loop {
         let mut found = (best, at);
         let mut consider = |next: [Spot; K]| {
-            if let Some(value) = rate(&next, found.0).filter(|value| *value > found.0) {
-                found = (value, next);
+            if let Some(rated) = rate(&next, found.0).filter(|rated| rated.0 > found.0) {
+                found = rated;
             }
         };
         for i in 0..K {

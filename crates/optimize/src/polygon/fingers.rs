@@ -15,6 +15,10 @@ pub const FEWEST_FINGERS: usize = 4;
 /// The largest number of spring fingers that can be placed.
 pub const MOST_FINGERS: usize = 8;
 
+/// What a placement may be better by that is not looked for, as a part of the best, among those on
+/// edges whose best four fingers would be too near to each other across a corner.
+pub const CROWDING_GAP: f64 = 1e-6;
+
 /// Frictionless fingers, each a spring along its normal.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Fingers {
@@ -22,9 +26,12 @@ pub struct Fingers {
     pub count: usize,
     /// What is maximized.
     pub objective: Objective,
-    /// The least distance of two fingers on one edge (length), such as twice their radius. Fingers
-    /// on both sides of a corner may be nearer, also where the edges are in line.
-    pub least_distance: f64,
+    /// The radius of the fingers' tips (length); 0 for pointed fingers. It counts for their
+    /// distance only: where they can touch is up to [`Part::accessible_to`].
+    pub finger_radius: f64,
+    /// The least gap between the tips of two fingers (length). Pointed fingers without a clearance
+    /// may be at one place.
+    pub clearance: f64,
     /// The least share of the total preload that each finger has when the forces balance; below
     /// one part in `count`. 0 takes in the limits where some fingers barely press.
     pub least_share: f64,
@@ -34,16 +41,27 @@ impl Fingers {
     /// `count` fingers of best quality, without conditions.
     #[must_use]
     pub const fn new(count: usize) -> Self {
-        Self { count, objective: Objective::Quality, least_distance: 0.0, least_share: 0.0 }
+        Self {
+            count,
+            objective: Objective::Quality,
+            finger_radius: 0.0,
+            clearance: 0.0,
+            least_share: 0.0,
+        }
+    }
+
+    /// The least distance of the centers of two tips (length).
+    pub(super) fn least_distance(&self) -> f64 {
+        2.0 * self.finger_radius + self.clearance
     }
 
     fn has_conditions(&self) -> bool {
         let translation = self.objective.least_translation() > 0.0;
-        self.least_distance > 0.0 || self.least_share > 0.0 || translation
+        self.least_distance() > 0.0 || self.least_share > 0.0 || translation
     }
 
     fn checked(&self) -> Result<(), OptimizeError> {
-        let Self { count, objective, least_distance, least_share } = *self;
+        let Self { count, objective, finger_radius, clearance, least_share } = *self;
         if !(FEWEST_FINGERS..=MOST_FINGERS).contains(&count) {
             return Err(OptimizeError::FingerCount {
                 found: count,
@@ -51,8 +69,11 @@ impl Fingers {
                 most: MOST_FINGERS,
             });
         }
-        if !(least_distance >= 0.0 && least_distance.is_finite()) {
-            return Err(OptimizeError::LeastDistance { value: least_distance });
+        if !(finger_radius >= 0.0 && (2.0 * finger_radius).is_finite()) {
+            return Err(OptimizeError::FingerRadius { value: finger_radius });
+        }
+        if !(clearance >= 0.0 && clearance.is_finite()) {
+            return Err(OptimizeError::Clearance { value: clearance });
         }
         let limit = (count as f64).recip();
         if !(0.0..limit).contains(&least_share) {
@@ -69,7 +90,8 @@ impl Fingers {
 /// it is found and proved is told in [`polygon`](crate::polygon). With four fingers the best
 /// placement on a combination is found in closed form, except for the worst-point stiffness; with
 /// more, and for that, the search closes in on it, and is better given a gap: the returned
-/// placement is then as good as any, up to that.
+/// placement is then as good as any, up to that. Where four fingers would be best too near to each
+/// other across a corner, it closes in too, to [`CROWDING_GAP`].
 ///
 /// Nodes are shared among the threads of the current rayon pool; the outcome is the same for any
 /// number of them, unless a time is set. `watch` is called once a round, some milliseconds, and can
@@ -77,7 +99,8 @@ impl Fingers {
 ///
 /// # Errors
 ///
-/// [`OptimizeError::FingerCount`], [`OptimizeError::LeastDistance`], [`OptimizeError::LeastShare`],
+/// [`OptimizeError::FingerCount`], [`OptimizeError::FingerRadius`],
+/// [`OptimizeError::Clearance`], [`OptimizeError::LeastShare`],
 /// [`OptimizeError::LeastTranslation`], [`OptimizeError::Gap`];
 /// [`OptimizeError::NormalsNeverBalance`], [`OptimizeError::TorquesNeverBalance`] or
 /// [`OptimizeError::ConditionsNeverMet`] when so many frictionless fingers cannot hold the part so;
@@ -131,7 +154,7 @@ fn best<const K: usize>(
 /// # Errors
 ///
 /// [`OptimizeError::FingerCount`] for another count than four, [`OptimizeError::NoClosedForm`] for
-/// the worst-point stiffness, [`OptimizeError::NoSuchEdge`], and those of [`fingers`] about the
+/// the worst-point stiffness and where fingers on two edges would be too near to each other, [`OptimizeError::NoSuchEdge`], and those of [`fingers`] about the
 /// question.
 pub fn four_fingers_on(
     part: &Part,
@@ -150,7 +173,10 @@ pub fn four_fingers_on(
     let springs = Springs { scene: &scene, fingers };
     let mut best = Leaders::new(1);
     for stretches in scene.stretches_of(edges) {
-        best.merge(springs.solve(stretches, &Floor::NONE));
+        match springs.solve(stretches, &Floor::NONE) {
+            Some(found) if springs.is_crowded(&found) => return Err(OptimizeError::NoClosedForm),
+            found => best.merge(found),
+        }
     }
     best.candidates().first().map(|candidate| springs.solution(candidate)).transpose()
 }

@@ -71,16 +71,19 @@ mod three;
 mod springs;
 mod triplets;
 
+mod apart;
 mod ascent;
 mod bound;
 mod closed_form;
+mod crowded;
 
 mod rating;
 mod reason;
 mod scene;
 mod solution;
+mod tips;
 
-pub use fingers::{FEWEST_FINGERS, Fingers, MOST_FINGERS, fingers, four_fingers_on};
+pub use fingers::{CROWDING_GAP, FEWEST_FINGERS, Fingers, MOST_FINGERS, fingers, four_fingers_on};
 pub use part::{LARGEST_SPREAD, Part, Stretch};
 pub use three::{ThreeFingers, three_fingers, three_fingers_on};
 

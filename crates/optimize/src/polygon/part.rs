@@ -1,6 +1,6 @@
 //! A polygonal part: its outline, the stiffness of its edges, and where they may be touched.
 
-use clench_shape::Polygon;
+use clench_shape::{DiscTip, Polygon};
 
 use crate::OptimizeError;
 
@@ -131,6 +131,36 @@ impl Part {
     /// [`OptimizeError::NoSuchEdge`].
     pub fn without_edge(self, edge: usize) -> Result<Self, OptimizeError> {
         self.without(Stretch { edge, from: f64::NEG_INFINITY, to: f64::INFINITY })
+    }
+
+    /// The part that may only be touched where the tip of a finger can.
+    ///
+    /// # Errors
+    ///
+    /// [`OptimizeError::Access`].
+    ///
+    /// ```
+    /// use clench_optimize::polygon::Part;
+    /// use clench_shape::{DiscTip, Polygon};
+    ///
+    /// let corner = [[0.0, 0.0], [6.0, 0.0], [6.0, 2.0], [2.0, 2.0], [2.0, 6.0], [0.0, 6.0]];
+    /// let part = Part::uniform(Polygon::new(&corner)?, 1.0)?.accessible_to(&DiscTip::new(1.0)?)?;
+    /// // In the corner of the L a finger of radius 1 stays off the other side.
+    /// assert!((part.stretches()[2].to - 3.0).abs() < 1e-12);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn accessible_to(mut self, tip: &DiscTip) -> Result<Self, OptimizeError> {
+        let all = self.outline.accessible(tip)?;
+        let cut = |s: Stretch| {
+            let narrowed = move |&[from, to]: &[f64; 2]| Stretch {
+                from: s.from.max(from),
+                to: s.to.min(to),
+                ..s
+            };
+            all[s.edge].iter().map(narrowed).filter(|piece| piece.from < piece.to)
+        };
+        self.stretches = self.stretches.into_iter().flat_map(cut).collect();
+        Ok(self)
     }
 
     /// The outline.

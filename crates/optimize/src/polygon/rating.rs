@@ -5,7 +5,8 @@ use clench_screw::{Mat, Vector};
 
 use super::Fingers;
 use super::bound::NO_TRANSLATION;
-use super::scene::{Scene, Support, largest_value};
+use super::scene::{Scene, largest_value};
+use super::tips::Keeping;
 use crate::Objective;
 
 /// Distances may fall short by this many units of rounding of the moments.
@@ -36,11 +37,7 @@ pub(super) struct Rating {
 
 /// The scaled moments at these spots.
 pub(super) fn moments<const K: usize>(scene: &Scene, spots: &[Spot; K]) -> [f64; K] {
-    spots.map(|spot| {
-        let support = &scene.supports[spot.stretch];
-        // The ends exactly.
-        support.low * (1.0 - spot.along) + support.high * spot.along
-    })
+    spots.map(|spot| scene.supports[spot.stretch].moment(spot.along))
 }
 
 /// The rating of fingers on `stretches` with these scaled moments; `None` where they do not
@@ -87,7 +84,8 @@ pub(super) fn rate<const K: usize>(
     if shares.least - shares.rounding < PUSHING || shares.least < fingers.least_share {
         return None;
     }
-    if fingers.least_distance > 0.0 && is_crowded(fingers.least_distance, &supports, moments) {
+    let keeping = Keeping::asked(scene, fingers);
+    if keeping.is_some_and(|keeping| keeping.is_crowded(stretches, moments)) {
         return None;
     }
     if fingers.objective == Objective::WorstPoint {
@@ -97,20 +95,6 @@ pub(super) fn rate<const K: usize>(
         rating.worst_point = largest.recip();
     }
     Some(rating)
-}
-
-/// Whether two fingers on one edge are nearer than `least_distance`.
-fn is_crowded<const K: usize>(
-    least_distance: f64,
-    supports: &[&Support; K],
-    moments: &[f64; K],
-) -> bool {
-    let near = |i: usize, j: usize| {
-        let size = moments[i].abs().max(moments[j].abs());
-        let least = least_distance * supports[i].weight - DISTANCE_ROUNDING * size;
-        supports[i].edge == supports[j].edge && (moments[i] - moments[j]).abs() < least
-    };
-    (0..K).any(|i| (0..i).any(|j| near(i, j)))
 }
 
 /// A balanced preload.

@@ -296,6 +296,26 @@ impl Support {
         }
     }
 
+    /// The scaled moment of the place `along` the stretch, 0 at the end of least moment and 1 at the
+    /// other; of the ends exactly.
+    pub(super) fn moment(&self, along: f64) -> f64 {
+        self.low * (1.0 - along) + self.high * along
+    }
+
+    /// The part of it with scaled moments between `low` and `high`.
+    pub(super) fn narrowed(&self, [low, high]: [f64; 2], center: Vector<2>) -> Self {
+        let ends = [low, high].map(|s| self.point(s, center));
+        // The first end of a stretch has the least moment, or the largest.
+        let first_is_low = self.point(self.low, center) == self.ends[0];
+        let ends = if first_is_low { ends } else { [ends[1], ends[0]] };
+        Self { ends, low, high, ..*self }
+    }
+
+    /// Whether it is the same part of the same edge.
+    pub(super) fn is_like(&self, other: &Self) -> bool {
+        self.edge == other.edge && self.ends == other.ends
+    }
+
     /// The unit vector from its first end to the other.
     pub(super) fn direction(&self) -> Vector<2> {
         self.direction

@@ -6,8 +6,10 @@ use super::Fingers;
 use super::ascent::{ascents, climb};
 use super::bound::{Demand, Pieces, Relaxation};
 use super::closed_form::Quadruple;
-use super::rating::{DISTANCE_ROUNDING, PUSHING, Rating, Spot, moments, rate, shares};
+use super::crowded::Crowded;
+use super::rating::{PUSHING, Rating, Spot, moments, rate, shares};
 use super::scene::Scene;
+use super::tips::{Keeping, Tips};
 use crate::search::{Bounded, Candidate, Floor, Piece, Problem, Settled, above, below};
 use crate::{Objective, OptimizeError, Placement, Solution};
 
@@ -30,7 +32,7 @@ pub(super) type Moments<const K: usize> = [f64; K];
 impl Springs<'_> {
     /// Placements to begin with.
     pub(super) fn first<const K: usize>(&self) -> Vec<Candidate<K, Moments<K>>> {
-        let rate = |spots: &[Spot; K], floor| self.rated(spots, floor).map(|c| c.quality);
+        let rate = |spots: &[Spot; K], floor| self.rated_apart(spots, floor);
         let tops = ascents(self.scene.supports.len(), rate, !self.is_enumerable::<K>());
         tops.into_iter().filter_map(|(_, spots)| self.candidate(&spots)).collect()
     }
@@ -47,22 +49,11 @@ impl Springs<'_> {
         if self.is_enumerable::<K>() { least } else { least.max(PUSHING) }
     }
 
-    /// Whether two fingers on pieces of one edge are too near to each other, wherever they are.
-    fn are_crowded<const K: usize>(&self, node: &[Piece; K], pieces: &Pieces<3>) -> bool {
-        let ends = |piece: Piece| {
-            let [one] = *pieces.stretches(piece) else { return None };
-            let range = pieces.range(piece);
-            let (middle, half) = (range.center[2], range.axes[0][2].abs());
-            Some((&self.scene.supports[one], middle - half, middle + half))
-        };
-        let crowded = |a: Piece, b: Piece| {
-            let ((one, a, b), (other, c, d)) = ends(a).zip(ends(b))?;
-            let size = a.abs().max(b.abs()).max(c.abs()).max(d.abs());
-            let most = b.max(d) - a.min(c) + DISTANCE_ROUNDING * size;
-            Some(one.edge == other.edge && most < self.fingers.least_distance * one.weight)
-        };
-        self.fingers.least_distance > 0.0
-            && (0..K).any(|i| (0..i).any(|j| crowded(node[i], node[j]) == Some(true)))
+    /// Whether fingers of a candidate on two edges are too near to each other.
+    pub(super) fn is_crowded<const K: usize>(&self, found: &Candidate<K, Moments<K>>) -> bool {
+        let keeping = Keeping::asked(self.scene, self.fingers);
+        let pair = keeping.and_then(|keeping| keeping.nearest_pair(&found.stretches, &found.place));
+        pair.is_some()
     }
 
     /// The least `sigma_min` that is asked for, in the scene's unit.
@@ -98,15 +89,28 @@ impl Springs<'_> {
         (quality > floor).then_some(Candidate { stretches, quality, second, place })
     }
 
+    /// The value of a placement, and where its fingers are, those that would be too near to each
+    /// other apart.
+    fn rated_apart<const K: usize>(
+        &self,
+        spots: &[Spot; K],
+        floor: f64,
+    ) -> Option<(f64, [Spot; K])> {
+        let keeping = Keeping::asked(self.scene, self.fingers);
+        let spots = keeping.map_or(*spots, |keeping| keeping.parted(spots));
+        self.rated(&spots, floor).map(|found| (found.quality, spots))
+    }
+
     /// The best that is known on the stretches of a placement.
     fn candidate<const K: usize>(&self, spots: &[Spot; K]) -> Option<Candidate<K, Moments<K>>> {
         if self.is_enumerable::<K>() {
             let mut stretches = spots.map(|spot| spot.stretch);
             stretches.sort_unstable();
-            self.solve(stretches, &Floor::NONE)
-        } else {
-            self.rated(spots, 0.0)
+            return match self.settled(stretches, &Floor::NONE) {
+                Settled::Solved { best, .. } | Settled::Open(best) => best,
+            };
         }
+        self.rated(spots, 0.0)
     }
 
     /// The best placement on four stretches, ascending, if it exceeds `floor`.
@@ -143,6 +147,40 @@ impl Springs<'_> {
             second,
             place,
         })
+    }
+
+    /// What becomes of four stretches, ascending: solved, where tips are too near to each other by
+    /// dividing.
+    fn settled<const K: usize>(
+        &self,
+        stretches: [usize; K],
+        floor: &Floor,
+    ) -> Settled<K, Moments<K>> {
+        let solved = self.solve(stretches, floor);
+        let whole = |best| Settled::Solved { best, left: 0.0 };
+        let Some(crowded) = solved.as_ref().filter(|found| self.is_crowded(found)) else {
+            return whole(solved);
+        };
+        let keeping = Keeping::asked(self.scene, self.fingers);
+        let four: Option<[usize; 4]> = stretches.as_slice().try_into().ok();
+        let Some((keeping, four)) = keeping.zip(four) else { return whole(None) };
+        // As in `solve`: where translation allows a tie and no more, the second one decides.
+        let sigma_min = self.scene.sigma_min(&four);
+        let with =
+            |equivalent| self.objectives(&Rating { sigma_min, equivalent, worst_point: 0.0 });
+        let least = if with(f64::INFINITY).0 <= above(floor.quality) {
+            floor.second
+        } else {
+            floor.quality
+        };
+        let apart = Crowded { springs: *self, keeping, stretches: four }.best(below(least));
+        let best = apart.best.and_then(|(equivalent, moments)| {
+            let (quality, second) = with(equivalent);
+            let place = std::array::from_fn(|i| moments[i]);
+            let found = Candidate { stretches, quality, second, place };
+            floor.is_exceeded_by(quality, second).then_some(found)
+        });
+        Settled::Solved { best, left: with(apart.bound).0.min(crowded.quality) }
     }
 
     /// The fingers of a candidate.
@@ -186,11 +224,16 @@ impl Springs<'_> {
 pub(super) struct SpringSearch<'a> {
     springs: Springs<'a>,
     pub(super) pieces: Pieces<3>,
+    /// If they have to keep a distance.
+    tips: Option<Tips<'a>>,
 }
 
 impl<'a> SpringSearch<'a> {
     pub(super) fn new(springs: Springs<'a>) -> Self {
-        Self { springs, pieces: springs.scene.wrenches() }
+        let pieces = springs.scene.wrenches();
+        let keeping = Keeping::asked(springs.scene, springs.fingers);
+        let tips = keeping.map(|keeping| Tips::new(keeping, &pieces));
+        Self { springs, pieces, tips }
     }
 }
 
@@ -216,7 +259,7 @@ impl<const K: usize> Problem<K> for SpringSearch<'_> {
 
     fn bound(&self, node: &[Piece; K], floor: &Floor, _: Option<&()>) -> Option<Bounded<()>> {
         let springs = &self.springs;
-        if springs.are_crowded(node, &self.pieces) {
+        if self.tips.as_ref().is_some_and(|tips| tips.are_crowded(node, &self.pieces)) {
             return None;
         }
         let relaxation = Relaxation {
@@ -224,6 +267,7 @@ impl<const K: usize> Problem<K> for SpringSearch<'_> {
             pieces: &self.pieces,
             least_share: springs.least_share::<K>(),
             whole_stretches: springs.is_enumerable::<K>(),
+            tips: self.tips.as_ref(),
         };
         let (bound, split) = match springs.fingers.objective {
             Objective::Quality => floor.bound(|demand| relaxation.verdict(node, demand)),
@@ -244,8 +288,8 @@ impl<const K: usize> Problem<K> for SpringSearch<'_> {
         let springs = &self.springs;
         let stretches = node.iter().map(|&piece| self.pieces.stretches(piece).len()).max();
         let spots = node.map(|piece| self.pieces.middle(piece));
-        let rate = |spots: &[Spot; K], floor| springs.rated(spots, floor).map(|c| c.quality);
-        let from = (rate(&spots, 0.0).unwrap_or(0.0), spots);
+        let rate = |spots: &[Spot; K], floor| springs.rated_apart(spots, floor);
+        let from = rate(&spots, 0.0).unwrap_or((0.0, spots));
         let fine = !springs.is_enumerable::<K>();
         let first_step = stretches.unwrap_or(1) / PROBE_PART;
         let (value, spots) = climb(springs.scene.supports.len(), &rate, from, first_step, fine);
@@ -256,10 +300,11 @@ impl<const K: usize> Problem<K> for SpringSearch<'_> {
         let springs = &self.springs;
         let Some(stretches) = self.pieces.combination(node) else { return Settled::Open(None) };
         if springs.is_enumerable::<K>() {
-            return Settled::Solved(springs.solve(stretches, floor));
+            return springs.settled(stretches, floor);
         }
         let spots = node.map(|piece| self.pieces.middle(piece));
-        let found = springs.rated(&spots, below(floor.quality));
+        let apart = springs.rated_apart(&spots, below(floor.quality));
+        let found = apart.and_then(|(_, spots)| springs.rated(&spots, 0.0));
         Settled::Open(found.filter(|found| floor.is_exceeded_by(found.quality, found.second)))
     }
 }

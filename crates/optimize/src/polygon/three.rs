@@ -16,6 +16,8 @@ pub struct ThreeFingers {
     pub total_preload: f64,
     /// The radius of the fingers' tips (length); 0 for pointed fingers.
     pub finger_radius: f64,
+    /// The least gap between the tips of two fingers (length).
+    pub clearance: f64,
     /// The least share of the total preload that each finger has; below a third.
     pub least_share: f64,
 }
@@ -24,7 +26,12 @@ impl ThreeFingers {
     /// Pointed fingers with the given total preload, without conditions.
     #[must_use]
     pub const fn with_preload(total_preload: f64) -> Self {
-        Self { total_preload, finger_radius: 0.0, least_share: 0.0 }
+        Self { total_preload, finger_radius: 0.0, clearance: 0.0, least_share: 0.0 }
+    }
+
+    /// The least distance of the centers of two tips (length).
+    pub(super) fn least_distance(&self) -> f64 {
+        2.0 * self.finger_radius + self.clearance
     }
 
     fn checked(&self) -> Result<(), OptimizeError> {
@@ -32,8 +39,12 @@ impl ThreeFingers {
         if !(force > 0.0 && force.is_finite()) {
             return Err(OptimizeError::TotalPreload { value: force });
         }
-        if !(radius >= 0.0 && radius.is_finite()) {
+        if !(radius >= 0.0 && (2.0 * radius).is_finite()) {
             return Err(OptimizeError::FingerRadius { value: radius });
+        }
+        let clearance = self.clearance;
+        if !(clearance >= 0.0 && clearance.is_finite()) {
+            return Err(OptimizeError::Clearance { value: clearance });
         }
         let limit = 1.0 / 3.0;
         if !(0.0..limit).contains(&self.least_share) {
@@ -58,8 +69,8 @@ impl ThreeFingers {
 ///
 /// # Errors
 ///
-/// [`OptimizeError::TotalPreload`], [`OptimizeError::FingerRadius`], [`OptimizeError::LeastShare`],
-/// [`OptimizeError::Gap`]; [`OptimizeError::NormalsNeverBalance`],
+/// [`OptimizeError::TotalPreload`], [`OptimizeError::FingerRadius`],
+/// [`OptimizeError::Clearance`], [`OptimizeError::LeastShare`], [`OptimizeError::Gap`]; [`OptimizeError::NormalsNeverBalance`],
 /// [`OptimizeError::TorquesNeverBalance`] or [`OptimizeError::ConditionsNeverMet`] when three
 /// frictionless fingers cannot hold the part so; [`OptimizeError::NothingFound`] when the search
 /// was stopped before; [`OptimizeError::NowhereToTouch`]; [`OptimizeError::TooThin`] and
@@ -78,7 +89,8 @@ pub fn three_fingers(
     leaders.merge(triplets.first());
     let searched = search(&TripletSearch::new(triplets), leaders, effort, watch);
     let combinations = choose(scene.supports.len(), 3, false);
-    let conditions = fingers.least_share > 0.0 || part.is_restricted();
+    let conditions =
+        fingers.least_share > 0.0 || fingers.least_distance() > 0.0 || part.is_restricted();
     let matter = Matter { fingers: 3, combinations };
     outcome(
         scene.stiffness_unit,

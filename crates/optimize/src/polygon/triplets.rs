@@ -4,6 +4,7 @@ use clench_screw::Vector;
 use clench_screw::planar::{cross, quarter_turn};
 
 use super::ThreeFingers;
+use super::apart::Apart;
 use super::bound::{Demand, Middle, Pieces, Range, Verdict, is_excluded};
 use super::closed_form::Convex;
 use super::rating::PUSHING;
@@ -86,7 +87,8 @@ impl<'a> Triplets<'a> {
         if mu <= below(floor.quality) * self.scene.radius_squared {
             return None;
         }
-        let (center, reach_squared) = triplet.nearest_meeting_point()?;
+        let keep = (self.fingers.finger_radius, self.fingers.least_distance());
+        let (center, reach_squared) = triplet.nearest_meeting_point(keep)?;
         let second = mu / reach_squared;
         let quality = sigma_min.min(second);
         let place = Meeting { center, mu, shares: triplet.shares };
@@ -274,7 +276,7 @@ impl Problem<3> for TripletSearch<'_> {
 
     fn settle(&self, node: &[Piece; 3], floor: &Floor) -> Settled<3, Meeting> {
         let Some(stretches) = self.springs.combination(node) else { return Settled::Open(None) };
-        Settled::Solved(self.triplets.solve(stretches, floor))
+        Settled::Solved { best: self.triplets.solve(stretches, floor), left: 0.0 }
     }
 }
 
@@ -286,6 +288,13 @@ pub(super) struct Meeting {
     mu: f64,
     /// The balancing contact forces, with sum 1.
     shares: [f64; 3],
+}
+
+#[cfg(test)]
+impl Meeting {
+    pub(super) fn center(&self) -> Vector<2> {
+        self.center
+    }
 }
 
 /// Three stretches whose inward normals positively span the plane.
@@ -321,16 +330,26 @@ impl<'a> Triplet<'a> {
     }
 
     /// The point of least reach in which the normals on these stretches can meet, and the square of
-    /// that reach: the geometric center if it is one, else on the boundary of those points, since
-    /// the reach is convex.
-    fn nearest_meeting_point(&self) -> Option<(Vector<2>, f64)> {
+    /// that reach, with tips of a radius that keep a distance.
+    fn nearest_meeting_point(&self, keep: (f64, f64)) -> Option<(Vector<2>, f64)> {
         let region = self.meeting_points();
         if region.vertices().is_empty() {
             return None;
         }
+        let nearest = self.nearest_of(&region);
+        if keep.1 <= 0.0 {
+            return Some(nearest);
+        }
+        let apart = Apart::new(self.scene, &region, self.supports, keep)?;
+        if apart.is_crowded(nearest.0) { apart.nearest() } else { Some(nearest) }
+    }
+
+    /// The point of the region with the least reach: the geometric center if it is one, else on the
+    /// boundary, since the reach is convex.
+    fn nearest_of(&self, region: &Convex) -> (Vector<2>, f64) {
         let center = self.scene.center;
         if self.supports.iter().all(|support| support.faces(center)) {
-            return Some((center, self.scene.radius_squared));
+            return (center, self.scene.radius_squared);
         }
         let outline = self.scene.part.outline();
         let mut best = (center, f64::INFINITY);
@@ -346,7 +365,7 @@ impl<'a> Triplet<'a> {
                 }
             }
         }
-        Some(best)
+        best
     }
 
     /// The intersection of the three strips of points that the stretches face [LBR, figure 3].

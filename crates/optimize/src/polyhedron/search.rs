@@ -125,7 +125,7 @@ impl<const K: usize> Problem<K> for SpatialSearch<'_> {
         let found = self.rating.above(&spots, floor_worth);
         let found = found.and_then(|worth| candidate((worth, spots)));
         if node.iter().all(|&piece| self.pieces.is_point(piece)) {
-            Settled::Solved(found)
+            Settled::Solved { best: found, left: 0.0 }
         } else {
             Settled::Open(found)
         }

@@ -76,7 +76,11 @@ pub(crate) struct Bounded<H> {
 /// What became of a node.
 pub(crate) enum Settled<const K: usize, P> {
     /// Its best placement that exceeds the floor, if there is one.
-    Solved(Option<Candidate<K, P>>),
+    Solved {
+        best: Option<Candidate<K, P>>,
+        /// None that was left out is better.
+        left: f64,
+    },
     /// It has to be halved further; some placement that exceeds the floor, if one was seen.
     Open(Option<Candidate<K, P>>),
 }
@@ -279,9 +283,10 @@ impl<const K: usize, P: Problem<K>> Round<'_, K, P> {
             return;
         }
         match self.problem.settle(&pieces, &floor) {
-            Settled::Solved(candidate) => {
+            Settled::Solved { best, left } => {
                 share.solved += 1;
-                share.candidates.extend(candidate);
+                share.dropped = share.dropped.max(left);
+                share.candidates.extend(best);
             }
             Settled::Open(candidate) => {
                 share.candidates.extend(candidate);

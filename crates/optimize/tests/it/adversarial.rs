@@ -323,7 +323,7 @@ fn searches_that_close_in_come_to_an_end() {
         Fingers::new(7),
         Fingers::new(8),
         Fingers { objective: rotation, ..Fingers::new(5) },
-        Fingers { least_distance: 0.5, ..Fingers::new(6) },
+        Fingers { clearance: 0.5, ..Fingers::new(6) },
         Fingers { objective: Objective::WorstPoint, ..Fingers::new(4) },
     ] {
         let found = fingers(&part, &asked, &effort, unwatched).unwrap();

@@ -29,7 +29,7 @@ fn the_outcome_is_the_same_for_any_number_of_threads() {
     let stopped = Effort { nodes: Some(200), ..Effort::default() };
     for (asked, effort) in [
         (Fingers::new(4), top(5)),
-        (Fingers { least_share: 0.2, least_distance: 0.1, ..Fingers::new(4) }, top(2)),
+        (Fingers { least_share: 0.2, clearance: 0.1, ..Fingers::new(4) }, top(2)),
         (Fingers { objective: Objective::WorstPoint, ..Fingers::new(4) }, gap),
         (Fingers::new(5), gap),
         (Fingers::new(5), stopped),

@@ -194,8 +194,8 @@ fn questions_that_make_no_sense_are_refused() {
         assert_eq!(fault, OptimizeError::FingerCount { found, fewest, most });
     }
     for value in [-1.0, f64::INFINITY] {
-        let fault = ask(Fingers { least_distance: value, ..four }, Effort::default());
-        assert_eq!(fault, OptimizeError::LeastDistance { value });
+        let fault = ask(Fingers { clearance: value, ..four }, Effort::default());
+        assert_eq!(fault, OptimizeError::Clearance { value });
         let objective = Objective::Rotation { least_translation: value };
         let fault = ask(Fingers { objective, ..four }, Effort::default());
         assert_eq!(fault, OptimizeError::LeastTranslation { value });
@@ -263,7 +263,7 @@ fn conditions_cost_quality_until_nothing_fits() {
         for (i, p) in found.best.placements.iter().enumerate() {
             assert!(p.share >= asked.least_share - 1e-12);
             for q in &found.best.placements[..i] {
-                let near = p.on == q.on && distance(p, q) < asked.least_distance - 1e-12;
+                let near = p.on == q.on && distance(p, q) < asked.clearance - 1e-12;
                 assert!(!near, "{:?}", found.best.placements);
             }
         }
@@ -271,10 +271,10 @@ fn conditions_cost_quality_until_nothing_fits() {
     };
     let free = quality(Fingers::new(4)).unwrap();
     let shared = quality(Fingers { least_share: 0.2, ..Fingers::new(4) }).unwrap();
-    let apart = quality(Fingers { least_distance: 2.0, ..Fingers::new(4) }).unwrap();
+    let apart = quality(Fingers { clearance: 2.0, ..Fingers::new(4) }).unwrap();
     assert!(shared < free && apart <= free, "{free} {shared} {apart}");
     // 3.5 apart no edge has room for two, and one on each of four edges is left.
-    let alone = quality(Fingers { least_distance: 3.5, ..Fingers::new(4) }).unwrap();
+    let alone = quality(Fingers { clearance: 3.5, ..Fingers::new(4) }).unwrap();
     assert!(alone <= apart, "{alone} {apart}");
 }
 

@@ -17,8 +17,7 @@ use std::collections::HashMap;
 use clench_screw::Vector;
 
 pub use accessible::{
-    ACCESS_TOLERANCE, AccessError, AccessibleFacet, BallTip, KeepOut, MOST_HOLES, Obstruction,
-    Plate,
+    ACCESS_TOLERANCE, AccessibleFacet, BallTip, KeepOut, MOST_HOLES, Obstruction,
 };
 pub use error::PolyhedronError;
 pub use face::Face;

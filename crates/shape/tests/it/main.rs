@@ -12,6 +12,7 @@ mod accessible;
 mod cases;
 mod crossings;
 mod deepest;
+mod disc_tip;
 mod ellipsoid;
 mod facets;
 mod holes;

@@ -17,7 +17,7 @@ use super::number::{Name, Whole};
 pub(crate) use contact::{Contact, Finger, Law, Material, Preload};
 pub(crate) use forbidden::{Forbidden, ForbiddenLayer, ForbiddenStretch};
 pub(crate) use load::{Load, LoadCase, NamedPoint};
-pub(crate) use part::{Part, Planar, Spatial};
+pub(crate) use part::{ModularPlate, Part, Planar, Spatial};
 pub(super) use results::without_results;
 pub(crate) use tolerance::Tolerance;
 pub(super) use words::{expected, help};

@@ -52,6 +52,12 @@ pub(crate) struct Planar {
     /// Edges of the outline, and stretches of them, without fingers.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub(crate) forbidden: Vec<Forbidden>,
+    /// Polygons in which nothing of a finger may be.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub(crate) keep_out: Vec<Vec<Point<2>>>,
+    /// Where the centers of fingers may be.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(crate) plate: Option<ModularPlate>,
 }
 
 /// A spatial part: a polyhedron, from the file or from a mesh, or an ellipsoid.

@@ -3,7 +3,7 @@
 use super::super::node::Node;
 
 /// The results of `optimize` at the top of its report: `analyze` reads the rest as a grasp file.
-const RESULT_FIELDS: [&str; 34] = [
+const RESULT_FIELDS: [&str; 33] = [
     "dimension",
     "drawing",
     "fingers",
@@ -11,7 +11,6 @@ const RESULT_FIELDS: [&str; 34] = [
     "least_translation",
     "total_preload",
     "finger_radius",
-    "least_distance",
     "least_share",
     "most_on_face",
     "roundness",
@@ -97,6 +96,7 @@ mod tests {
             report(&format!("{planar} 1000")),
             report(drawing),
             report(&format!("{solid} --nodes 1")),
+            report(&format!("{solid} --margin 1 --clearance 1 --nodes 1")),
             report(&format!("{solid} --candidates PARTS/clamp-places.toml --nodes 1")),
         ];
         let mut found: BTreeSet<String> = reports.iter().flat_map(keys).collect();

@@ -13,7 +13,7 @@ pub(in super::super) fn help(place: &Place) -> Option<&'static str> {
         "total_preload" => Some("give `preload` in each contact, or --preload to `optimize`"),
         "fingers" => Some("give --fingers to `optimize`"),
         "objective" => Some("give --objective to `optimize`"),
-        "least_distance" => Some("give --least-distance to `optimize`"),
+        "clearance" => Some("give --clearance to `optimize`"),
         "least_share" => Some("give --least-share to `optimize`"),
         "least_translation" => Some("give --least-translation to `optimize`"),
         "margin" | "forbidden" => Some("put it under [part.planar]"),

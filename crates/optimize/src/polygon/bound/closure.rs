@@ -199,6 +199,6 @@ impl<const K: usize> Force<K> {
     fn pushes(&self, middle: &Middle<K>) -> Cut<K> {
         let boxes = middle.ranges.iter().zip(self.linear);
         let centers: f64 = boxes.map(|(w, linear)| linear.dot(w.center)).sum();
-        Cut::of_linear(self.linear, self.value - centers + self.rest, self.size)
+        Cut::of_linear(self.linear, 0.0, self.value - centers + self.rest, self.size)
     }
 }

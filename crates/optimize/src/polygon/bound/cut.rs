@@ -127,9 +127,14 @@ impl<const K: usize> Cut<K> {
         })
     }
 
-    /// `linear . p` alone.
-    pub(crate) const fn of_linear(linear: [Vector<3>; K], slack: f64, size: f64) -> Self {
-        Self { linear, slack, size, ..Self::NONE }
+    /// `linear . p` alone, at least `constant`.
+    pub(crate) const fn of_linear(
+        linear: [Vector<3>; K],
+        constant: f64,
+        slack: f64,
+        size: f64,
+    ) -> Self {
+        Self { linear, constant, slack, size, ..Self::NONE }
     }
 
     /// What is always fulfilled.

@@ -13,8 +13,9 @@ use clench_screw::Vector;
 #[cfg(test)]
 pub(crate) use closure::cuts as closure_cuts;
 pub(crate) use closure::is_excluded;
+pub(crate) use cut::Cut;
 #[cfg(test)]
-pub(crate) use cut::{Cut, slack};
+pub(crate) use cut::slack;
 pub(crate) use demand::{Demand, Verdict};
 pub(crate) use middle::Middle;
 pub(crate) use pieces::{Pieces, Range};

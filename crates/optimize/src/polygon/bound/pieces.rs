@@ -117,6 +117,11 @@ impl<const D: usize> Pieces<D> {
         place as u32
     }
 
+    /// How many groups there are.
+    pub(crate) fn count(&self) -> usize {
+        self.groups.len()
+    }
+
     /// What fingers on `piece` can be.
     pub(crate) fn range(&self, piece: Piece) -> Range<D> {
         let mut range = self.groups[piece.group()].range;

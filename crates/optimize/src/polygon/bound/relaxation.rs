@@ -9,6 +9,7 @@ use super::middle::Middle;
 use super::pieces::Pieces;
 use super::{ROUNDING, arm};
 use crate::polygon::scene::Scene;
+use crate::polygon::tips::Tips;
 use crate::search::Piece;
 use crate::search::boxes::value;
 
@@ -27,6 +28,8 @@ pub(crate) struct Relaxation<'a> {
     pub(crate) least_share: f64,
     /// Whether single stretches are left whole, since they are solved otherwise.
     pub(crate) whole_stretches: bool,
+    /// The tips of the fingers, if they have to keep a distance.
+    pub(crate) tips: Option<&'a Tips<'a>>,
 }
 
 impl Relaxation<'_> {
@@ -86,6 +89,10 @@ impl Relaxation<'_> {
             }
             if excess > 0.0 && sweep == 0 {
                 for other in closure::cuts(&middle, self.scene.radius, self.least_share) {
+                    self.add(&middle, demand, (&mut cut, &mut excess), &other);
+                }
+                let apart = self.tips.map(|tips| tips.cuts(node, &middle, self.pieces));
+                for other in apart.into_iter().flatten() {
                     self.add(&middle, demand, (&mut cut, &mut excess), &other);
                 }
             }

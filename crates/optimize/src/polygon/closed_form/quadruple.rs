@@ -113,7 +113,15 @@ impl<'a> Quadruple<'a> {
         stretches: [usize; 4],
         fingers: &Fingers,
     ) -> Option<Self> {
-        let supports = stretches.map(|e| &scene.supports[e]);
+        Self::over(scene, stretches.map(|e| &scene.supports[e]), fingers)
+    }
+
+    /// The same for any four stretches, ascending by their edges.
+    pub(crate) fn over(
+        scene: &'a Scene<'a>,
+        supports: [&'a Support; 4],
+        fingers: &Fingers,
+    ) -> Option<Self> {
         let scaled = supports.map(|s| s.normal * s.weight);
         let null = null_space(&scaled);
         let weights = supports.map(|s| s.weight);
@@ -129,7 +137,7 @@ impl<'a> Quadruple<'a> {
             let half = 0.5 * (support.high - support.low) * WINDOW_MARGIN;
             window_half += Vector::from_fn(|i| per_moment[i].abs() * half);
         }
-        let exchangeable = stretches.windows(2).any(|pair| pair[0] == pair[1]);
+        let exchangeable = supports.windows(2).any(|pair| pair[0].is_like(pair[1]));
         Some(Self {
             scene,
             supports,
@@ -138,7 +146,7 @@ impl<'a> Quadruple<'a> {
             cone,
             inner,
             exchangeable,
-            neighbors: neighbors(&supports, &null, cone, fingers.least_distance),
+            neighbors: neighbors(&supports, &null, cone, fingers.least_distance()),
             window_center,
             window_half,
         })

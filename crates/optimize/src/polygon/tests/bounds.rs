@@ -64,7 +64,8 @@ fn no_bound_is_below_the_best_of_the_combinations_under_it() {
                 if !covers(&ranges, set) {
                     return;
                 }
-                if let Some(found) = springs.solve(set, &Floor::NONE) {
+                let found = springs.solve(set, &Floor::NONE);
+                if let Some(found) = found.filter(|found| !springs.is_crowded(found)) {
                     assert_bounded(bound, &floor, (found.quality, found.second), &what);
                     compared += 1;
                     under =
@@ -98,6 +99,8 @@ fn no_bound_is_below_a_placement_under_it() {
         let asked = Fingers {
             objective: [Objective::Quality, Objective::WorstPoint][r.below(2)],
             least_share: [0.0, r.between(0.0, 0.1)][r.below(2)],
+            finger_radius: [0.0, r.between(0.0, 1.0)][r.below(2)],
+            clearance: [0.0, r.between(0.0, 1.0)][r.below(2)],
             ..Fingers::new(K)
         };
         let what = format!("{:?} {asked:?}", part.outline().corners());

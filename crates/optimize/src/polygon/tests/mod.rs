@@ -3,6 +3,7 @@
 mod bounds;
 mod cuts;
 mod search;
+mod tips;
 
 use std::f64::consts::TAU;
 
@@ -80,7 +81,8 @@ fn question(r: &mut Random) -> Fingers {
         question.least_share = r.between(0.0, 0.2);
     }
     if r.below(3) == 0 {
-        question.least_distance = r.between(0.0, 1.5);
+        question.clearance = r.between(0.0, 1.5);
+        question.finger_radius = [0.0, r.between(0.0, 0.5)][r.below(2)];
     }
     if r.below(3) == 0 {
         let least_translation = r.between(0.0, 2.0);
@@ -100,10 +102,14 @@ fn each_set<const K: usize>(n: usize, mut visit: impl FnMut([usize; K])) {
     }
 }
 
-/// The best over all combinations, by solving each.
+/// The best over all combinations, by solving each; but for those whose best fingers are too near
+/// to each other.
 fn enumerated(springs: Springs<'_>, stretches: usize) -> Option<(f64, f64)> {
     let mut leaders = Leaders::new(1);
-    each_set::<4>(stretches, |set| leaders.merge(springs.solve(set, &Floor::NONE)));
+    each_set::<4>(stretches, |set| {
+        let found = springs.solve(set, &Floor::NONE);
+        leaders.merge(found.filter(|found| !springs.is_crowded(found)));
+    });
     leaders.candidates().first().map(|best| (best.quality, best.second))
 }
 

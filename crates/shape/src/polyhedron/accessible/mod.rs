@@ -2,18 +2,17 @@
 
 mod cover;
 mod cut;
-mod error;
 mod obstacle;
 mod plane;
 mod tip;
 
 use clench_screw::Vector;
 
-pub use error::AccessError;
-pub use tip::{BallTip, KeepOut, Plate};
+pub use tip::{BallTip, KeepOut};
 
 use super::surface::{foot_on, nearest};
 use super::{Facet, Polyhedron};
+use crate::{AccessError, Plate};
 use cover::Cover;
 use cut::{Area, Rest, doubled_area};
 use obstacle::Obstacle;
@@ -173,7 +172,8 @@ impl Polyhedron {
             return Some(Obstruction::KeepOut(number));
         }
         let center = point - inward_normal * tip.radius();
-        let is_far = |plate: &&Plate| plate.distance(center) > plate.travel() + allowed;
+        let is_far =
+            |plate: &&Plate| plate.distance([center[0], center[1]]) > plate.travel() + allowed;
         tip.plate().filter(is_far).map(|_| Obstruction::Plate)
     }
 }

@@ -61,4 +61,17 @@ pub enum AccessError {
         /// How many there may be.
         most: usize,
     },
+    /// A plate has too many holes beside an edge.
+    #[error(
+        "{found:.3e} holes of the plate are beside edge {edge}, expected {most:e} at most: \
+         is the pitch in the part's unit of length?"
+    )]
+    TooManyHolesAtEdge {
+        /// The edge.
+        edge: usize,
+        /// About how many.
+        found: f64,
+        /// How many there may be.
+        most: f64,
+    },
 }

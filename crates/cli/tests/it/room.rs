@@ -1,0 +1,142 @@
+//! Round fingers on outlines, through the command: where they have room, and what is kept out of.
+
+use clench_testkit::assert_close;
+use clench_testkit::cases::{Value, list, number};
+
+use crate::run::{Folder, assert_says};
+
+/// A plate with a notch from above, 2 wide and 3 deep, and a bore 4 wide.
+const NOTCHED: &str = "units = { length = \"mm\", force = \"N\" }\n[part.planar]\n\
+    outline = [[0, 0], [16, 0], [16, 8], [12, 8], [12, 5], [10, 5], [10, 8], [0, 8]]\n\
+    holes = [[[3, 2], [7, 2], [7, 6], [3, 6]]]\n\
+    stiffness = 1000\n";
+
+const EDGES: [[[f64; 2]; 2]; 12] = [
+    [[0.0, 0.0], [16.0, 0.0]],
+    [[16.0, 0.0], [16.0, 8.0]],
+    [[16.0, 8.0], [12.0, 8.0]],
+    [[12.0, 8.0], [12.0, 5.0]],
+    [[12.0, 5.0], [10.0, 5.0]],
+    [[10.0, 5.0], [10.0, 8.0]],
+    [[10.0, 8.0], [0.0, 8.0]],
+    [[0.0, 8.0], [0.0, 0.0]],
+    [[3.0, 2.0], [7.0, 2.0]],
+    [[7.0, 2.0], [7.0, 6.0]],
+    [[7.0, 6.0], [3.0, 6.0]],
+    [[3.0, 6.0], [3.0, 2.0]],
+];
+
+fn point(value: &Value) -> [f64; 2] {
+    [0, 1].map(|i| number(&list(value)[i]))
+}
+
+fn distance(a: [f64; 2], b: [f64; 2]) -> f64 {
+    (a[0] - b[0]).hypot(a[1] - b[1])
+}
+
+/// From a point to a segment along an axis.
+fn to_segment(p: [f64; 2], [a, b]: [[f64; 2]; 2]) -> f64 {
+    let nearest = [0, 1].map(|i| p[i].clamp(a[i].min(b[i]), a[i].max(b[i])));
+    distance(p, nearest)
+}
+
+/// The centers of the tips of a report's fingers.
+fn centers(report: &Value, radius: f64) -> Vec<[f64; 2]> {
+    let contacts = list(&report["contacts"]).iter();
+    contacts
+        .map(|contact| {
+            let (p, n) = (point(&contact["point"]), point(&contact["inward_normal"]));
+            [p[0] - radius * n[0], p[1] - radius * n[1]]
+        })
+        .collect()
+}
+
+#[test]
+fn fingers_of_a_report_overlap_neither_the_part_nor_each_other() {
+    let folder = Folder::new("room-fingers");
+    folder.write("part.toml", NOTCHED);
+    let mut in_the_bore = 0;
+    for (options, radius, clearance) in [
+        ("4", 0.5, 0.0),
+        ("4", 1.5, 1.0),
+        ("4", 3.0, 0.0),
+        ("5", 1.0, 0.5),
+        ("6 --gap 0.01", 1.5, 0.0),
+    ] {
+        let report = folder.json(&format!(
+            "optimize part.toml --fingers {options} --finger-radius {radius} --clearance {clearance}"
+        ));
+        let centers = centers(&report, radius);
+        for (i, &center) in centers.iter().enumerate() {
+            for edge in EDGES {
+                assert!(
+                    to_segment(center, edge) >= radius - 1e-9,
+                    "{options} {radius}: {center:?}"
+                );
+            }
+            for &other in &centers[..i] {
+                let apart = distance(center, other) - 2.0 * radius;
+                assert!(apart >= clearance - 1e-9, "{options} {radius}: {apart}");
+            }
+        }
+        let edges = list(&report["contacts"]).iter().map(|contact| number(&contact["edge"]));
+        in_the_bore += edges.filter(|edge| *edge >= 8.0).count();
+        assert!(number(&report["certificate"]["gap"]) <= 0.01);
+    }
+    assert!(in_the_bore < 20);
+}
+
+#[test]
+fn what_is_kept_out_of_and_the_plate_are_repeated_and_drawn() {
+    let folder = Folder::new("room-kept");
+    let kept = "keep_out = [[[-3, -3], [6, -3], [6, 0.5], [-3, 0.5]]]\n\
+        plate = { pitch = [4, 4], offset = [1, -2], travel = 1.5 }\n";
+    folder.write("part.toml", NOTCHED.to_owned() + kept);
+    let question = "--fingers 4 --finger-radius 1";
+    let report = folder.json(&format!("optimize part.toml {question} --svg part.svg"));
+    for center in centers(&report, 1.0) {
+        // The region is the box from (-3, -3) to (6, 0.5).
+        let from = [0, 1].map(|i| center[i].clamp(-3.0, [6.0, 0.5][i]));
+        assert!(distance(center, from) >= 1.0 - 1e-9, "{center:?}");
+        let off = [(0, 1.0), (1, -2.0)].map(|(i, offset)| {
+            let steps = (center[i] - offset) / 4.0;
+            4.0 * (steps - f64::round(steps))
+        });
+        assert!(off[0].hypot(off[1]) <= 1.5 + 1e-9, "{center:?}");
+    }
+    assert_eq!(list(&report["part"]["planar"]["keep_out"]).len(), 1);
+    assert_close(number(&report["part"]["planar"]["plate"]["travel"]), 1.5, 0.0, 1.0, "travel");
+    folder.write("report.json", report.to_string());
+    assert_eq!(folder.json(&format!("optimize report.json {question}")), report);
+    assert_says(
+        &folder.run(&format!("optimize part.toml {question}")).out,
+        &["tips that do not overlap", "out of 1 region", "over a hole of the plate"],
+    );
+    assert_says(&std::fs::read_to_string(folder.path("part.svg")).unwrap(), &["kept out of"]);
+}
+
+#[test]
+fn rooms_that_are_none_are_refused_with_their_place() {
+    let folder = Folder::new("room-refused");
+    for (fields, pieces) in [
+        ("keep_out = [[[0, 0], [1, 1]]]", ["part.planar.keep_out[0]", "2 corners"]),
+        ("keep_out = [[[0, 0], [1, nan], [0, 1]]]", ["part.planar.keep_out[0]", "nan"]),
+        (
+            "plate = { pitch = [0, 1], travel = 1 }",
+            ["part.planar.plate", "pitch of the plate is 0"],
+        ),
+        ("plate = { pitch = [1, 1], travel = 0 }", ["part.planar.plate", "travel over the plate"]),
+        ("plate = { pitch = [1, 1] }", ["part.planar.plate", "missing field `travel`"]),
+        ("plate = { pitch = [1e-7, 1], travel = 1 }", ["holes of the plate", "edge 0"]),
+    ] {
+        folder.write("part.toml", format!("{NOTCHED}{fields}\n"));
+        let ran = folder.run("optimize part.toml --fingers 4 --finger-radius 1");
+        assert_eq!((ran.code, ran.out.as_str()), (Some(1), ""), "{fields}: {}", ran.err);
+        assert_says(&ran.err, &pieces);
+    }
+    let all = "keep_out = [[[-99, -99], [99, -99], [99, 99], [-99, 99]]]\n";
+    folder.write("part.toml", NOTCHED.to_owned() + all);
+    let ran = folder.run("optimize part.toml --fingers 4 --finger-radius 1");
+    assert_eq!(ran.out, "");
+    assert_says(&ran.err, &["--finger-radius 1, keep_out", "no stretch"]);
+}
