@@ -36,8 +36,8 @@ pub(crate) fn tip(document: &Document, spatial: &schema::Spatial) -> Result<Ball
     Ok(tip)
 }
 
-/// The tip of a finger of this radius on an outline, with what the file of the part says about where
-/// it may be.
+/// The tip of a finger of this radius on an outline, with what the file of the part says about
+/// where it may be.
 pub(crate) fn disc_tip(
     document: &Document,
     planar: &schema::Planar,

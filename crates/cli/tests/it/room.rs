@@ -64,7 +64,8 @@ fn fingers_of_a_report_overlap_neither_the_part_nor_each_other() {
         ("6 --gap 0.01", 1.5, 0.0),
     ] {
         let report = folder.json(&format!(
-            "optimize part.toml --fingers {options} --finger-radius {radius} --clearance {clearance}"
+            "optimize part.toml --fingers {options} --finger-radius {radius} \
+             --clearance {clearance}"
         ));
         let centers = centers(&report, radius);
         for (i, &center) in centers.iter().enumerate() {

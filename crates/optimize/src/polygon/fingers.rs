@@ -154,8 +154,8 @@ fn best<const K: usize>(
 /// # Errors
 ///
 /// [`OptimizeError::FingerCount`] for another count than four, [`OptimizeError::NoClosedForm`] for
-/// the worst-point stiffness and where fingers on two edges would be too near to each other, [`OptimizeError::NoSuchEdge`], and those of [`fingers`] about the
-/// question.
+/// the worst-point stiffness and where fingers on two edges would be too near to each other,
+/// [`OptimizeError::NoSuchEdge`], and those of [`fingers`] about the question.
 pub fn four_fingers_on(
     part: &Part,
     edges: [usize; 4],

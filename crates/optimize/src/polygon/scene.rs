@@ -296,8 +296,8 @@ impl Support {
         }
     }
 
-    /// The scaled moment of the place `along` the stretch, 0 at the end of least moment and 1 at the
-    /// other; of the ends exactly.
+    /// The scaled moment of the place `along` the stretch, 0 at the end of least moment and 1 at
+    /// the other; of the ends exactly.
     pub(super) fn moment(&self, along: f64) -> f64 {
         self.low * (1.0 - along) + self.high * along
     }

@@ -69,8 +69,8 @@ impl ThreeFingers {
 ///
 /// # Errors
 ///
-/// [`OptimizeError::TotalPreload`], [`OptimizeError::FingerRadius`],
-/// [`OptimizeError::Clearance`], [`OptimizeError::LeastShare`], [`OptimizeError::Gap`]; [`OptimizeError::NormalsNeverBalance`],
+/// [`OptimizeError::TotalPreload`], [`OptimizeError::FingerRadius`], [`OptimizeError::Clearance`],
+/// [`OptimizeError::LeastShare`], [`OptimizeError::Gap`]; [`OptimizeError::NormalsNeverBalance`],
 /// [`OptimizeError::TorquesNeverBalance`] or [`OptimizeError::ConditionsNeverMet`] when three
 /// frictionless fingers cannot hold the part so; [`OptimizeError::NothingFound`] when the search
 /// was stopped before; [`OptimizeError::NowhereToTouch`]; [`OptimizeError::TooThin`] and
