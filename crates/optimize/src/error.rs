@@ -122,10 +122,11 @@ pub enum OptimizeError {
         /// [`crate::polygon::MOST_FINGERS`].
         most: usize,
     },
-    /// The worst-point stiffness was asked for on given edges.
+    /// On given edges the worst-point stiffness was asked for, or the best fingers would be too
+    /// near to each other.
     #[error(
-        "the best worst-point stiffness on given edges has no closed form: ask for it on the \
-         whole part"
+        "on given edges there is no closed form for the worst-point stiffness, nor where the best \
+         fingers are too near to each other: search the whole part"
     )]
     NoClosedForm,
     /// The least share of the preload is negative, or more than all fingers can have.

@@ -42,6 +42,9 @@ Other parts, one shape each; `optimize` takes outlines, and solids with faces:
   faces = [[0, 3, 2, 1], ..]                 # counter-clockwise seen from outside; or
   mesh = "bracket.stl"                       # STL or OBJ, beside this file; or
   ellipsoid = [30, 20, 15]
+  margin = 2                                 # of solids with faces: no finger nearer to an edge
+  plate = { pitch = [25, 25], travel = 5 }   # tips over its holes; boxes without fingers:
+  keep_out = [{ from = [0, 0, 0], to = [9, 9, 9] }]
 
 A grasp file has contacts besides; so have the files of --fix and --candidates, without a part:
 

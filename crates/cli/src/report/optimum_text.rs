@@ -2,6 +2,8 @@
 
 use std::fmt;
 
+use clench::optimize::polygon::CROWDING_GAP;
+
 use super::analysis_text::share;
 use super::number::{UnitNames, counted, numbered, spot};
 use super::optimum::{OptimumReport, PlacedFinger, PlacementReport};
@@ -200,8 +202,14 @@ impl OptimumText<'_> {
         match certificate.ended {
             EndWord::Proved => page.head("proved", format_args!("{placement} does better")),
             EndWord::Gap => {
-                let gap = rough_digits(effort.gap);
-                page.head("bounded", format_args!("{bound}; {gap} was allowed"));
+                // Fingers that are best where they touch each other have a gap of their own.
+                let (gap, whose) = if certificate.gap > effort.gap {
+                    (effort.gap.max(CROWDING_GAP), "is, where tips touch each other,")
+                } else {
+                    (effort.gap, "was")
+                };
+                let gap = rough_digits(gap);
+                page.head("bounded", format_args!("{bound}; {gap} {whose} allowed"));
             }
             EndWord::Time => {
                 let time = digits(effort.time.unwrap_or(0.0));

@@ -87,6 +87,21 @@ fn fingers_of_a_report_overlap_neither_the_part_nor_each_other() {
     assert!(in_the_bore < 20);
 }
 
+/// In a nook the best four would overlap: what is found is proved to a gap of its own, and so said.
+#[test]
+fn tips_that_touch_are_bounded_to_a_millionth() {
+    let folder = Folder::new("room-nook");
+    let nook = "[part.planar]\nstiffness = 1\n\
+        outline = [[0, 0], [6, 0], [6, 2], [2, 2], [2, 6], [0, 6]]\n";
+    folder.write("part.toml", nook);
+    let ran = folder.run("optimize part.toml --fingers 4 --finger-radius 1");
+    assert_eq!((ran.code, ran.err.as_str()), (Some(0), ""));
+    assert_says(
+        &ran.out,
+        &["bounded   no placement", "1e-6 is, where tips touch each other, allowed"],
+    );
+}
+
 #[test]
 fn what_is_kept_out_of_and_the_plate_are_repeated_and_drawn() {
     let folder = Folder::new("room-kept");

@@ -258,12 +258,12 @@ fn conditions_cost_quality_until_nothing_fits() {
         let corners = [[0.0, 0.0], [3.0, 0.0], [2.5, 1.0], [0.0, 1.0]];
         let slanted = Part::uniform(Polygon::new(&corners).unwrap(), 1.0).unwrap();
         let found = fingers(&slanted, &asked, &Effort::default(), unwatched)?;
-        assert_eq!(found.certificate.ended, Ended::Proved);
+        assert!(matches!(found.certificate.ended, Ended::Proved | Ended::Gap));
         let distance = |p: &Placement<2>, q: &Placement<2>| (p.point - q.point).norm();
         for (i, p) in found.best.placements.iter().enumerate() {
             assert!(p.share >= asked.least_share - 1e-12);
             for q in &found.best.placements[..i] {
-                let near = p.on == q.on && distance(p, q) < asked.clearance - 1e-12;
+                let near = distance(p, q) < asked.clearance - 1e-12;
                 assert!(!near, "{:?}", found.best.placements);
             }
         }
@@ -271,11 +271,11 @@ fn conditions_cost_quality_until_nothing_fits() {
     };
     let free = quality(Fingers::new(4)).unwrap();
     let shared = quality(Fingers { least_share: 0.2, ..Fingers::new(4) }).unwrap();
-    let apart = quality(Fingers { clearance: 2.0, ..Fingers::new(4) }).unwrap();
+    let apart = quality(Fingers { clearance: 0.5, ..Fingers::new(4) }).unwrap();
     assert!(shared < free && apart <= free, "{free} {shared} {apart}");
-    // 3.5 apart no edge has room for two, and one on each of four edges is left.
-    let alone = quality(Fingers { clearance: 3.5, ..Fingers::new(4) }).unwrap();
-    assert!(alone <= apart, "{alone} {apart}");
+    // No two places of the outline are so far apart.
+    let never = quality(Fingers { clearance: 3.5, ..Fingers::new(4) });
+    assert_eq!(never, Err(OptimizeError::ConditionsNeverMet { fingers: 4, combinations: 35.0 }));
 }
 
 /// However a search ends, no placement is above its bound, and its best is one.
