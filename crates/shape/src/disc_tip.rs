@@ -13,6 +13,9 @@ use crate::{AccessError, Edge, Plate, Polygon};
 /// in a groove of its own width touches both sides.
 const TOUCHING: f64 = 64.0 * f64::EPSILON;
 
+/// Holes are counted from that at the offset; above this numbers are no longer exact.
+const LARGEST_INDEX: f64 = 1e15;
+
 /// The largest number of holes of a plate that are looked at beside one edge.
 pub const MOST_HOLES_AT_EDGE: f64 = 1e6;
 
@@ -165,6 +168,13 @@ impl Line<'_> {
             let index = |value: f64| (value - offset[axis]) / pitch[axis];
             (index(low - travel).floor(), index(high + travel).ceil())
         };
+        let index = |end: Vector<2>, i: usize| ((end[i] - offset[i]) / pitch[i]).abs();
+        let farthest = [a, b].into_iter().flat_map(|end| [index(end, 0), index(end, 1)]);
+        let farthest = farthest.fold(0.0, f64::max) + travel / pitch[0].min(pitch[1]);
+        if farthest >= LARGEST_INDEX {
+            let most = MOST_HOLES_AT_EDGE;
+            return Err(AccessError::TooManyHolesAtEdge { edge: number, found: farthest, most });
+        }
         let (first, last) = range(a[x].min(b[x]), a[x].max(b[x]), x);
         let slope = run[y] / run[x];
         let rows = 2.0 * (travel * (1.0 + slope.abs()) / pitch[y]) + 3.0;

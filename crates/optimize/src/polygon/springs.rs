@@ -180,7 +180,10 @@ impl Springs<'_> {
             let found = Candidate { stretches, quality, second, place };
             floor.is_exceeded_by(quality, second).then_some(found)
         });
-        Settled::Solved { best, left: with(apart.bound).0.min(crowded.quality) }
+        let left = with(apart.bound).0.min(crowded.quality);
+        // What is no better than the best of these stretches is not left out.
+        let found = best.as_ref().map_or(0.0, |best| best.quality);
+        Settled::Solved { best, left: if left <= above(found) { 0.0 } else { left } }
     }
 
     /// The fingers of a candidate.

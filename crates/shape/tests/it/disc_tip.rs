@@ -202,4 +202,8 @@ fn tips_and_plates_that_are_none_are_refused_by_value() {
     let part = Polygon::new(&square(0.0, 10.0)).unwrap();
     let found = part.accessible(&tip);
     assert!(matches!(found, Err(AccessError::TooManyHolesAtEdge { edge: 0, .. })));
+    // So far away that one hole more is no other number.
+    let far = DiscTip::new(1.0).unwrap().over(Plate::new([1.0, 1.0], [1e17, 0.0], 0.1).unwrap());
+    let found = part.accessible(&far);
+    assert!(matches!(found, Err(AccessError::TooManyHolesAtEdge { edge: 0, .. })));
 }
