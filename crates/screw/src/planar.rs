@@ -31,3 +31,24 @@ pub fn cross(a: Vector<2>, b: Vector<2>) -> f64 {
 pub fn quarter_turn(v: Vector<2>) -> Vector<2> {
     Vector::new([-v[1], v[0]])
 }
+
+/// Where a line is within `distance` (length) of a point: from and to, along the line from where
+/// it starts (length). Both are equal where it only touches; `None` where it is never that near.
+///
+/// `way` leads from the start of the line to the point, `direction` is the line's (unit).
+///
+/// ```
+/// use clench_screw::{Vector, planar};
+/// let ahead = Vector::new([5.0, 3.0]);
+/// assert_eq!(planar::chord(ahead, Vector::new([1.0, 0.0]), 5.0), Some([1.0, 9.0]));
+/// assert_eq!(planar::chord(ahead, Vector::new([1.0, 0.0]), 2.0), None);
+/// ```
+#[must_use]
+pub fn chord(way: Vector<2>, direction: Vector<2>, distance: f64) -> Option<[f64; 2]> {
+    let across = cross(direction, way);
+    // As a product, so that a line far away loses no digits.
+    let half = ((distance - across) * (distance + across)).sqrt();
+    let middle = direction.dot(way);
+    // Not a number where it is never that near.
+    (half >= 0.0).then_some([middle - half, middle + half])
+}

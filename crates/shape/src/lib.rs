@@ -56,6 +56,7 @@ mod edge;
 mod place;
 
 mod access_error;
+mod accessible;
 mod disc_tip;
 mod plate;
 
@@ -89,12 +90,13 @@ mod triangulation;
 mod validity;
 
 pub use access_error::AccessError;
+pub use accessible::MOST_HOLES_AT_EDGE;
 pub use ball::Ball;
 pub use border::Border;
 pub use boundary_point::{BoundaryPoint, Nearest};
 pub use circle::Circle;
 pub use deepest::{BodyError, DeepestPair, OverlapError, Side};
-pub use disc_tip::{DiscTip, MOST_HOLES_AT_EDGE};
+pub use disc_tip::DiscTip;
 pub use edge::Edge;
 pub use ellipsoid::{Ellipsoid, EllipsoidError, LARGEST_ASPECT};
 pub use error::PolygonError;

@@ -7,7 +7,7 @@
 //! is convex, so where its least value is in a disc, the least one outside is on a circle.
 
 use clench_screw::Vector;
-use clench_screw::planar::{cross, quarter_turn};
+use clench_screw::planar::{chord, cross, quarter_turn};
 
 use super::closed_form::Convex;
 use super::scene::{PARALLEL, Scene, Support};
@@ -132,12 +132,8 @@ impl Crowd {
         &self,
         (point, direction): (Vector<2>, Vector<2>),
     ) -> impl Iterator<Item = Vector<2>> {
-        let away = cross(direction, self.center - point);
-        let half = ((self.radius - away) * (self.radius + away)).sqrt();
-        let foot = self.center - quarter_turn(direction) * away;
-        // Not a number where it misses the line.
-        let ends = (half >= 0.0).then(|| [foot - direction * half, foot + direction * half]);
-        ends.into_iter().flatten()
+        let ends = chord(self.center - point, direction, self.radius);
+        ends.into_iter().flatten().map(move |along| point + direction * along)
     }
 
     /// The line through the points that both circles have in common.

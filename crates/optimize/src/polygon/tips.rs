@@ -5,7 +5,7 @@
 )]
 
 use clench_screw::Vector;
-use clench_screw::planar::cross;
+use clench_screw::planar::chord;
 
 use super::Fingers;
 use super::bound::{Cut, Middle, Pieces};
@@ -79,14 +79,7 @@ impl<'a> Keeping<'a> {
         let start = self.tip(one, one.low);
         let span = self.tip(one, one.high) - start;
         let (length, direction) = (span.norm(), span.direction()?);
-        let near = |s: f64| {
-            let way = self.tip(other, s) - start;
-            let across = cross(direction, way);
-            let half = ((least - across) * (least + across)).sqrt();
-            let middle = direction.dot(way);
-            // Not a number where it is never so near.
-            (half > 0.0).then_some([middle - half, middle + half])
-        };
+        let near = |s: f64| chord(self.tip(other, s) - start, direction, least);
         let ([a, b], [c, d]) = (near(range[0])?, near(range[1])?);
         let both = [a.max(c), b.min(d)].map(|along| one.moment(along / length));
         (both[0] < both[1]).then_some(both)
@@ -135,9 +128,7 @@ impl<'a> Keeping<'a> {
         let support = &self.scene.supports[spot.stretch];
         let span = self.tip(support, support.high) - self.tip(support, support.low);
         let (length, direction) = (span.norm(), span.direction()?);
-        let (along, across) = (direction.dot(way), cross(direction, way));
-        let half = ((self.least - across) * (self.least + across)).sqrt();
-        let places = [-along - half, -along + half].map(|by| spot.along + by / length);
+        let places = chord(-way, direction, self.least)?.map(|by| spot.along + by / length);
         let near = |a: &f64, b: &f64| (a - spot.along).abs().total_cmp(&(b - spot.along).abs());
         let place = places.into_iter().filter(|place| (0.0..=1.0).contains(place)).min_by(near)?;
         Some(Spot { along: place, ..spot })
