@@ -70,6 +70,21 @@ impl Springs<'_> {
         }
     }
 
+    /// The objectives of four fingers whose stretches, so `sigma_min`, are given.
+    fn of_combination(&self, sigma_min: f64, equivalent: f64) -> (f64, f64) {
+        self.objectives(&Rating { sigma_min, equivalent, worst_point: 0.0 })
+    }
+
+    /// What `mu_eq` has to exceed on four stretches with this `sigma_min` to exceed the floor;
+    /// `None` if no `mu_eq` does.
+    fn least_equivalent(&self, sigma_min: f64, floor: &Floor) -> Option<f64> {
+        let (most, second) = self.of_combination(sigma_min, f64::INFINITY);
+        let is_enough = sigma_min >= below(self.least_translation());
+        // Where translation allows a tie and no more, the second objective decides.
+        let least = if most <= above(floor.quality) { floor.second } else { floor.quality };
+        (is_enough && floor.is_exceeded_by(most, second)).then_some(least)
+    }
+
     /// A placement as a candidate, if it holds, fulfills what is asked for and has more than a
     /// quality of `floor`.
     fn rated<const K: usize>(
@@ -121,32 +136,17 @@ impl Springs<'_> {
     ) -> Option<Candidate<K, Moments<K>>> {
         let four: [usize; 4] = stretches.as_slice().try_into().ok()?;
         let sigma_min = self.scene.sigma_min(&four);
-        if sigma_min < below(self.least_translation()) {
-            return None;
-        }
-        // `sigma_min` is the same for all placements on these stretches.
-        let with =
-            |equivalent| self.objectives(&Rating { sigma_min, equivalent, worst_point: 0.0 });
-        let (most, second) = with(f64::INFINITY);
-        if !floor.is_exceeded_by(most, second) {
-            return None;
-        }
-        // Where translation allows a tie and no more, the second objective decides.
-        let least = if most <= above(floor.quality) { floor.second } else { floor.quality };
+        let least = self.least_equivalent(sigma_min, floor)?;
         let quadruple = Quadruple::new(self.scene, four, self.fingers)?;
         if quadruple.bound() <= below(least) {
             return None;
         }
         let peak = quadruple.peak(below(least))?;
-        let (quality, second) = with(peak.equivalent);
         let found = quadruple.moments(peak.d, peak.z);
         let place = std::array::from_fn(|i| found[i]);
-        floor.is_exceeded_by(quality, second).then_some(Candidate {
-            stretches,
-            quality,
-            second,
-            place,
-        })
+        let (quality, second) = self.of_combination(sigma_min, peak.equivalent);
+        let found = Candidate { stretches, quality, second, place };
+        floor.is_exceeded_by(quality, second).then_some(found)
     }
 
     /// What becomes of four stretches, ascending: solved, where tips are too near to each other by
@@ -164,23 +164,16 @@ impl Springs<'_> {
         let keeping = Keeping::asked(self.scene, self.fingers);
         let four: Option<[usize; 4]> = stretches.as_slice().try_into().ok();
         let Some((keeping, four)) = keeping.zip(four) else { return whole(None) };
-        // As in `solve`: where translation allows a tie and no more, the second one decides.
         let sigma_min = self.scene.sigma_min(&four);
-        let with =
-            |equivalent| self.objectives(&Rating { sigma_min, equivalent, worst_point: 0.0 });
-        let least = if with(f64::INFINITY).0 <= above(floor.quality) {
-            floor.second
-        } else {
-            floor.quality
-        };
+        let Some(least) = self.least_equivalent(sigma_min, floor) else { return whole(None) };
         let apart = Crowded { springs: *self, keeping, stretches: four }.best(below(least));
         let best = apart.best.and_then(|(equivalent, moments)| {
-            let (quality, second) = with(equivalent);
+            let (quality, second) = self.of_combination(sigma_min, equivalent);
             let place = std::array::from_fn(|i| moments[i]);
             let found = Candidate { stretches, quality, second, place };
             floor.is_exceeded_by(quality, second).then_some(found)
         });
-        let left = with(apart.bound).0.min(crowded.quality);
+        let left = self.of_combination(sigma_min, apart.bound).0.min(crowded.quality);
         // What is no better than the best of these stretches is not left out.
         let found = best.as_ref().map_or(0.0, |best| best.quality);
         Settled::Solved { best, left: if left <= above(found) { 0.0 } else { left } }
