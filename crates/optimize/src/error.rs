@@ -56,7 +56,8 @@ pub enum OptimizeError {
     /// Nothing is left of the part's surface to touch.
     #[error(
         "nothing of the part can be touched by a finger tip of radius {radius}, at least {margin} \
-         from where planes end, outside of {keep_outs} keep-outs{over}"
+         from where planes end, outside of {keep_outs} keep-outs{}",
+        if *.on_plate { " over a hole of the plate" } else { "" }
     )]
     NothingAccessible {
         /// The radius of the tip (length).
@@ -65,8 +66,8 @@ pub enum OptimizeError {
         margin: f64,
         /// How many boxes it stays out of.
         keep_outs: usize,
-        /// Words about the plate, if there is one.
-        over: &'static str,
+        /// Whether it has to be over a hole of a plate.
+        on_plate: bool,
     },
     /// Too few candidates are left whose tips have room.
     #[error(

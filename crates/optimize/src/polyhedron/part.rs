@@ -92,7 +92,7 @@ impl Part {
                 radius: tip.radius(),
                 margin: tip.margin(),
                 keep_outs: tip.keep_out().len(),
-                over: if tip.plate().is_some() { " over a hole of the plate" } else { "" },
+                on_plate: tip.plate().is_some(),
             });
         }
         Ok(Self { accessible: Some(accessible), ..self })

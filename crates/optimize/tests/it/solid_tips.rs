@@ -167,7 +167,12 @@ fn what_cannot_be_touched_or_kept_apart_is_told() {
     let fault = angle().accessible_to(&tip).unwrap_err();
     assert_eq!(
         fault,
-        OptimizeError::NothingAccessible { radius: 0.5, margin: 0.0, keep_outs: 1, over: "" }
+        OptimizeError::NothingAccessible {
+            radius: 0.5,
+            margin: 0.0,
+            keep_outs: 1,
+            on_plate: false
+        }
     );
     let refused = |spacing: Spacing| {
         let asked = Fingers { fixed: locators(), spacing, ..Fingers::new(2) };
