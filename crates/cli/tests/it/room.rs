@@ -55,7 +55,6 @@ fn centers(report: &Value, radius: f64) -> Vec<[f64; 2]> {
 fn fingers_of_a_report_overlap_neither_the_part_nor_each_other() {
     let folder = Folder::new("room-fingers");
     folder.write("part.toml", NOTCHED);
-    let mut in_the_bore = 0;
     for (options, radius, clearance) in [
         ("4", 0.5, 0.0),
         ("4", 1.5, 1.0),
@@ -80,11 +79,8 @@ fn fingers_of_a_report_overlap_neither_the_part_nor_each_other() {
                 assert!(apart >= clearance - 1e-9, "{options} {radius}: {apart}");
             }
         }
-        let edges = list(&report["contacts"]).iter().map(|contact| number(&contact["edge"]));
-        in_the_bore += edges.filter(|edge| *edge >= 8.0).count();
         assert!(number(&report["certificate"]["gap"]) <= 0.01);
     }
-    assert!(in_the_bore < 20);
 }
 
 /// In a nook the best four would overlap: what is found is proved to a gap of its own, and so said.
