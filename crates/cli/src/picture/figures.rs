@@ -1,6 +1,6 @@
 //! The pictures of a page: more than what `--svg` draws, since the numbers are beside them.
 
-use clench::metrics::Principal;
+use clench::metrics::{Principal, REPEATED};
 use clench::optimize::Solution;
 use clench::screw::Vector;
 use clench_draw::{
@@ -14,9 +14,6 @@ use crate::analyze::Analysis;
 use crate::input::{NamedPoint, PointForce};
 use crate::report::{OptimumReport, PlacementReport, UnitNames};
 use crate::response::Response;
-
-/// Principal stiffnesses that differ by less than this part have no directions of their own.
-const REPEATED: f64 = 1e-9;
 
 /// The pictures of a page, as SVG.
 #[derive(Debug)]

@@ -4,7 +4,7 @@ use maud::{Markup, PreEscaped, html};
 
 use super::inputs::Inputs;
 use super::legend;
-use super::page::table;
+use super::page::{table, written};
 use super::sheet::{Headline, Section, Sheet, Tone};
 use super::viewer;
 use crate::failure::Failure;
@@ -21,11 +21,6 @@ pub(crate) fn of_analysis(
     inputs: Inputs<'_>,
 ) -> Result<String, Failure> {
     let report = text.report;
-    let set = |write: &dyn Fn(&mut Page)| {
-        let mut page = Page::default();
-        write(&mut page);
-        html!((page))
-    };
     let contacts = |page: &mut Page| {
         text.contacts(page);
         text.areas(page);
@@ -40,10 +35,10 @@ pub(crate) fn of_analysis(
         Section::filled("Grasp", grasp(text, figures)),
         Section::filled("Load cases", load_cases(text, figures)),
         Section::filled("Preloads that the load cases need", needed(text)),
-        Section::filled("Contacts", set(&contacts)),
-        Section::filled("Stiffness", set(&numbers)),
-        Section::filled("Robustness", set(&|page| text.robustness(page))),
-        Section::filled("Stiffness matrix", set(&|page| text.stiffness(page))),
+        Section::filled("Contacts", written(contacts)),
+        Section::filled("Stiffness", written(numbers)),
+        Section::filled("Robustness", written(|page| text.robustness(page))),
+        Section::filled("Stiffness matrix", written(|page| text.stiffness(page))),
     ];
     let mut facts = Page::default();
     text.facts(&mut facts);

@@ -4,6 +4,7 @@ use maud::{Markup, PreEscaped, html};
 
 use super::inputs::Inputs;
 use super::legend;
+use super::page::written;
 use super::sheet::{Headline, Section, Sheet, Tone};
 use super::typeset::typeset;
 use super::viewer;
@@ -20,11 +21,6 @@ pub(crate) fn of_optimum(
     figures: &Figures,
     inputs: Inputs<'_>,
 ) -> Result<String, Failure> {
-    let set = |write: &dyn Fn(&mut Page)| {
-        let mut page = Page::default();
-        write(&mut page);
-        html!((page))
-    };
     let certificate = |page: &mut Page| {
         text.certificate(page);
         text.conditions(page);
@@ -34,9 +30,9 @@ pub(crate) fn of_optimum(
     let placement = viewer::figure(figures, &[], &legend::grasp(planar, true));
     let sections = [
         Section::filled("Placement", placement),
-        Section::filled("Certificate", set(&certificate)),
-        Section::filled("Fingers", set(&|page| text.fingers(page))),
-        Section::filled("Stiffness", set(&|page| text.metrics(page))),
+        Section::filled("Certificate", written(certificate)),
+        Section::filled("Fingers", written(|page| text.fingers(page))),
+        Section::filled("Stiffness", written(|page| text.metrics(page))),
         Section::filled("Ranking", ranking(text, figures)),
     ];
     let mut facts = Page::default();

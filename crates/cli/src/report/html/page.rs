@@ -5,6 +5,13 @@ use maud::{Markup, Render, html};
 use super::typeset::typeset;
 use crate::report::page::{Line, Page};
 
+/// What `write` writes, set.
+pub(super) fn written(write: impl FnOnce(&mut Page)) -> Markup {
+    let mut page = Page::default();
+    write(&mut page);
+    html!((page))
+}
+
 impl Render for Page {
     fn render(&self) -> Markup {
         let blocks =
