@@ -7,6 +7,7 @@
 //! | --- | --- |
 //! | change the frame of twists, wrenches and stiffnesses | [`screw`] |
 //! | validate outlines and solids, find where to touch them and how far they reach | [`shape`] |
+//! | take an outline with its holes from a DXF or SVG file | [`drawing`] |
 //! | get the stiffness of one contact from materials, curvatures and preload | [`contact`] |
 //! | get energy, equilibrium, preload, stiffness and stability of a grasp | [`stiffness`] |
 //! | get frame-invariant numbers from any stiffness | [`metrics`] |
@@ -45,6 +46,7 @@
 //! placements with a bound.
 
 pub use clench_contact as contact;
+pub use clench_drawing as drawing;
 pub use clench_metrics as metrics;
 pub use clench_optimize as optimize;
 pub use clench_screw as screw;

@@ -36,6 +36,11 @@ pub(crate) fn quoted(text: &str) -> String {
     }
 }
 
+/// A layer of a drawing by its name, if it has one.
+pub(crate) fn layer_name(layer: &str) -> String {
+    if layer.is_empty() { "no layer".to_owned() } else { format!("layer {}", quoted(layer)) }
+}
+
 fn significant(value: f64, count: u8) -> String {
     if value.abs() <= 0.0 {
         return "0".to_owned();

@@ -4,7 +4,6 @@ use std::collections::BTreeMap;
 use std::path::Path;
 
 use super::document::Document;
-use super::drawing::ending;
 use super::number::{FileName, Finite, Label, Name, PerPiece};
 use super::schema::{self, File, Part, Planar, Spatial, Units};
 use crate::failure::Failure;
@@ -30,7 +29,8 @@ pub(crate) struct LayerStiffness {
 
 /// The part file at `path`; a drawing or a mesh is as good as one, with what `alone` says.
 pub(crate) fn part_file(path: &Path, alone: &Alone) -> Result<(Document, File), Failure> {
-    let planar = match ending(path).as_deref() {
+    let ending = path.extension().map(|ending| ending.to_string_lossy().to_lowercase());
+    let planar = match ending.as_deref() {
         Some("dxf" | "svg") => true,
         Some("stl" | "obj") => false,
         _ => {

@@ -1,15 +1,16 @@
 //! Parts from drawings: what a drawing says takes its place in the part of the file.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
+use clench::drawing::{DrawingError, DrawnPart, Sheet, Unit};
 use clench::shape::Polygon;
 
 use super::document::Document;
-use super::drawing::{self, Drawing, DrawingFault, Reading, Unit, Unjoined};
-use super::fault::PartFault;
-use super::number::{Finite, Name, PerPiece, Point, Whole};
+use super::fault::{DrawingFault, PartFault};
+use super::number::{Finite, Label, Name, PerPiece, Point, Whole};
 use super::place::Place;
 use super::schema::{self, File, Forbidden, Planar};
+use super::shield::shielded;
 use super::units;
 use crate::failure::Failure;
 
@@ -22,7 +23,7 @@ pub(crate) struct Drawn {
     /// The unit of the drawing, if it names one, and what its lengths were multiplied with.
     pub(crate) unit: Option<Unit>,
     pub(crate) scale: f64,
-    pub(crate) drawing: Drawing,
+    pub(crate) part: DrawnPart,
 }
 
 /// What the command line says of a drawing.
@@ -46,36 +47,45 @@ pub(crate) fn drawn(
         return Ok(None);
     };
     check_alone(document, planar)?;
-    let at = Place::planar().field("drawing");
-    let fault = |fault| {
-        document.error(&at, PartFault::Drawing { name: name.clone(), fault: Box::new(fault) })
-    };
     let path = document.folder().join(&name);
-    let chord = chord(document, planar, asked)?;
-    let layers: Vec<String> =
-        std::mem::take(&mut planar.layers).into_iter().map(|layer| layer.0).collect();
-    let unjoined = drawing::read(&path, &layers).map_err(&fault)?;
-    let unit = unjoined.unit();
-    let scale = scale(unit, &mut file.units).map_err(&fault)?;
-    let drawing = part_of(unjoined, scale, &Reading { chord }).map_err(&fault)?;
-    let points = |corners: &Vec<[f64; 2]>| corners.iter().map(|c| Point(*c)).collect();
-    let mut contours = drawing.contours.iter().map(points);
+    let chord = asked.chord.or(planar.chord.take().map(|chord| chord.0));
+    let layers = std::mem::take(&mut planar.layers);
+    let read = read(&path, &layers, &mut file.units, chord);
+    let (unit, scale, part) = read.map_err(|fault| {
+        let is_chord = matches!(fault, DrawingFault::Drawing(DrawingError::Chord { .. }));
+        let at = Place::planar().field(if is_chord { "chord" } else { "drawing" });
+        document.error(&at, PartFault::Drawing { name: name.clone(), fault: Box::new(fault) })
+    })?;
+    let mut contours = contours(part.polygon());
     planar.outline = contours.next();
     planar.holes = contours.collect();
-    planar.stiffness = stiffness(document, planar.stiffness.take(), &drawing)?;
+    planar.stiffness = stiffness(document, planar.stiffness.take(), &part)?;
     planar.forbidden.extend(asked.forbidden.iter().cloned());
-    planar.forbidden = forbidden(document, &planar.forbidden, &drawing)?;
-    Ok(Some(Drawn { name, path, unit, scale, drawing }))
+    planar.forbidden = forbidden(document, &planar.forbidden, &part)?;
+    Ok(Some(Drawn { name, path, unit, scale, part }))
 }
 
-/// The part of a drawing, which is a valid outline.
-fn part_of(unjoined: Unjoined, scale: f64, reading: &Reading) -> Result<Drawing, DrawingFault> {
-    let drawing = unjoined.drawing(scale, reading)?;
-    let [outline, holes @ ..] = &drawing.contours[..] else { return Err(DrawingFault::NoCurves) };
-    match Polygon::with_holes(outline, holes) {
-        Ok(_) => Ok(drawing),
-        Err(error) => Err(drawing.fault(error)),
-    }
+/// The drawing's unit, what its lengths are multiplied with to be in the `wanted` units, and the
+/// part on it.
+fn read(
+    path: &Path,
+    layers: &[Label],
+    wanted: &mut schema::Units,
+    chord: Option<f64>,
+) -> Result<(Option<Unit>, f64, DrawnPart), DrawingFault> {
+    let layers: Vec<&str> = layers.iter().map(|layer| layer.0.as_str()).collect();
+    let sheet = shielded(|| Sheet::read(path, &layers)).ok_or(DrawingFault::Panicked)??;
+    let scale = scale(sheet.unit(), wanted)?;
+    Ok((sheet.unit(), scale, sheet.part(scale, chord)?))
+}
+
+/// The corners of the outline, then those of each hole.
+fn contours(polygon: &Polygon) -> impl Iterator<Item = Vec<Point<2>>> {
+    let corners = polygon.corners();
+    polygon
+        .loops()
+        .iter()
+        .map(|run| corners[run.clone()].iter().map(|corner| Point(corner.to_array())).collect())
 }
 
 /// What a length of the drawing has to be multiplied with; a file without a unit gets that of the
@@ -86,28 +96,18 @@ fn scale(unit: Option<Unit>, wanted: &mut schema::Units) -> Result<f64, DrawingF
         None if named => Ok(1.0),
         None => Err(DrawingFault::NoUnit),
         Some(unit) if !named => {
-            wanted.length = Name(unit.name.to_owned());
+            wanted.length = Name(unit.name().to_owned());
             Ok(1.0)
         }
-        Some(unit) if unit.name == wanted.length.0 => Ok(1.0),
+        Some(unit) if unit.name() == wanted.length.0 => Ok(1.0),
         Some(unit) => {
             let wanted = &wanted.length.0;
             let size = units::micrometers(wanted).ok_or_else(|| DrawingFault::UnknownUnit {
-                found: unit.name,
+                found: unit.name(),
                 wanted: wanted.clone(),
             })?;
-            Ok(unit.micrometers / size)
+            Ok(unit.micrometers() / size)
         }
-    }
-}
-
-fn chord(document: &Document, planar: &mut Planar, asked: &Asked) -> Result<Option<f64>, Failure> {
-    let chord = asked.chord.or(planar.chord.take().map(|chord| chord.0));
-    match chord {
-        Some(chord) if chord <= 0.0 => {
-            Err(document.error(&Place::planar().field("chord"), PartFault::Chord { chord }))
-        }
-        _ => Ok(chord),
     }
 }
 
@@ -115,14 +115,14 @@ fn chord(document: &Document, planar: &mut Planar, asked: &Asked) -> Result<Opti
 fn stiffness(
     document: &Document,
     given: Option<PerPiece>,
-    drawing: &Drawing,
+    part: &DrawnPart,
 ) -> Result<Option<PerPiece>, Failure> {
     let Some(PerPiece::ByLayer(layers)) = given else { return Ok(given) };
     let place = || Place::planar().field("stiffness");
     let fault = |place: &Place, fault| document.error(place, PartFault::Layer(Box::new(fault)));
     for (layer, value) in &layers {
         super::part::checked_stiffness(document, &place().field(layer), value.0)?;
-        if drawing.edges_on(layer).next().is_none() {
+        if part.edges_on(layer).next().is_none() {
             let layer = layer.clone();
             return Err(fault(&place().field(&layer), DrawingFault::NoEdgeOnLayer { layer }));
         }
@@ -133,7 +133,7 @@ fn stiffness(
             .map(|(_, value)| *value)
             .ok_or_else(|| fault(&place(), DrawingFault::NoStiffness { layer: layer.to_owned() }))
     };
-    let each: Result<Vec<Finite>, _> = drawing.layers().map(of_layer).collect();
+    let each: Result<Vec<Finite>, _> = part.edges().map(|source| of_layer(&source.layer)).collect();
     each.map(|each| Some(PerPiece::Each(each)))
 }
 
@@ -141,7 +141,7 @@ fn stiffness(
 fn forbidden(
     document: &Document,
     given: &[Forbidden],
-    drawing: &Drawing,
+    part: &DrawnPart,
 ) -> Result<Vec<Forbidden>, Failure> {
     let mut forbidden = Vec::new();
     for (i, given) in given.iter().enumerate() {
@@ -150,7 +150,7 @@ fn forbidden(
             continue;
         };
         let before = forbidden.len();
-        let edges = drawing.edges_on(&layer.0).map(|edge| Forbidden::Edge(Whole(edge as u64)));
+        let edges = part.edges_on(&layer.0).map(|edge| Forbidden::Edge(Whole(edge as u64)));
         forbidden.extend(edges);
         if forbidden.len() == before {
             let fault = DrawingFault::NoEdgeOnLayer { layer: layer.0.clone() };
@@ -198,17 +198,4 @@ fn check_not_drawn(document: &Document, file: &File, asked: &Asked) -> Result<()
 
 const fn is_layer(forbidden: &Forbidden) -> bool {
     matches!(forbidden, Forbidden::Layer(_))
-}
-
-impl Drawing {
-    /// The layer of each edge.
-    fn layers(&self) -> impl Iterator<Item = &str> {
-        self.edges.iter().map(|&source| self.sources[source].layer.as_str())
-    }
-
-    /// The edges on a layer.
-    fn edges_on(&self, layer: &str) -> impl Iterator<Item = usize> {
-        let on = move |(_, own): &(usize, &str)| own.eq_ignore_ascii_case(layer);
-        self.layers().enumerate().filter(on).map(|(edge, _)| edge)
-    }
 }

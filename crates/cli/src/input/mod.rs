@@ -9,7 +9,6 @@ mod solid;
 mod tip;
 mod touch;
 
-mod drawing;
 mod mesh;
 
 mod given;
@@ -44,7 +43,6 @@ mod toml_tree;
 pub(crate) use alone::{Alone, LayerStiffness, part_file};
 pub(crate) use boundary::{Piece, PieceKind};
 pub(crate) use document::Document;
-pub(crate) use drawing::layer_name;
 pub(crate) use drawn::{Asked, Drawn, drawn};
 pub(crate) use fault::{InputError, LoadFault, Position};
 pub(crate) use given::{GivenContact, Holder, given_contacts};

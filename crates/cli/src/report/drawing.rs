@@ -1,11 +1,12 @@
 //! The report on the drawing that a part is from.
 
+use clench::drawing::{Repeat, Source, Unit};
 use serde::Serialize;
 
 use super::number::UnitNames;
 use super::page::Page;
-use crate::input::{Drawn, layer_name};
-use crate::wording::{counted, digits};
+use crate::input::Drawn;
+use crate::wording::{counted, digits, layer_name};
 
 /// Smaller parts of the chord are not worth a word: ends that meet differ so by rounding.
 const SMALLEST_GAP: f64 = 1e-6;
@@ -38,42 +39,37 @@ pub(crate) struct DrawingReport {
 pub(crate) struct LeftAside {
     pub(crate) kind: String,
     pub(crate) layer: String,
-    pub(crate) reason: &'static str,
+    pub(crate) reason: String,
     pub(crate) count: usize,
 }
 
 impl DrawingReport {
     /// The report on this drawing.
     pub(crate) fn new(drawn: &Drawn) -> Self {
-        let drawing = &drawn.drawing;
-        let mut used: Vec<usize> = drawing.edges.clone();
-        used.sort_unstable();
-        used.dedup();
+        let part = &drawn.part;
         let mut layers: Vec<String> = Vec::new();
-        for &curve in &used {
-            let layer = &drawing.sources[curve].layer;
+        for Source { layer, .. } in part.sources() {
             if !layers.contains(layer) {
                 layers.push(layer.clone());
             }
         }
-        let aside = drawing.aside.iter().map(|(kind, layer, reason, count)| LeftAside {
-            kind: kind.to_owned(),
-            layer: layer.to_owned(),
-            reason: reason.words(),
-            count,
+        let aside = part.left_aside().iter().map(|aside| LeftAside {
+            kind: aside.kind.clone(),
+            layer: aside.layer.clone(),
+            reason: aside.reason.to_string(),
+            count: aside.count,
         });
-        let repeated = drawing.repeats.iter().map(|pair| {
-            let [one, other] = pair.map(|source| &drawing.sources[source]);
-            format!("{one} repeats {other}")
-        });
+        let repeated = part.repeats().iter();
+        let repeated =
+            repeated.map(|Repeat { left_out, kept }| format!("{left_out} repeats {kept}"));
         Self {
             name: drawn.name.clone(),
-            unit: drawn.unit.map(|unit| unit.name),
+            unit: drawn.unit.map(Unit::name),
             scale: drawn.scale,
-            curves: used.len(),
+            curves: part.sources().len(),
             layers,
-            chord: drawing.chord,
-            largest_gap: drawing.largest_gap,
+            chord: part.chord(),
+            largest_gap: part.largest_gap(),
             repeated: repeated.collect(),
             left_aside: aside.collect(),
         }

@@ -2,6 +2,7 @@
 
 mod balance;
 mod contact;
+mod drawing;
 mod load;
 mod mesh;
 mod part;
@@ -19,6 +20,7 @@ use super::schema::{Units, VERSION};
 
 pub(crate) use balance::{BalanceFault, Pull};
 pub(crate) use contact::{ContactFault, Coordinates, Nearest};
+pub(crate) use drawing::DrawingFault;
 pub(crate) use load::LoadFault;
 pub(crate) use mesh::MeshFault;
 pub(crate) use part::PartFault;

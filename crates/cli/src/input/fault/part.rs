@@ -3,9 +3,8 @@
 use clench::optimize::OptimizeError;
 use clench::shape::{AccessError, EllipsoidError, PolygonError, PolyhedronError};
 
-use super::MeshFault;
+use super::{DrawingFault, MeshFault};
 use crate::input::PieceKind;
-use crate::input::drawing::DrawingFault;
 use crate::wording::counted;
 
 /// Why a part was refused.
@@ -67,9 +66,6 @@ pub(crate) enum PartFault {
     /// A layer of the drawing that is not there, or of which too little is said.
     #[error(transparent)]
     Layer(Box<DrawingFault>),
-    /// A chord that is zero or negative.
-    #[error("the chord is {chord}, expected a positive number")]
-    Chord { chord: f64 },
     /// What only drawings have.
     #[error("found {found}, which goes with a `drawing` only")]
     DrawingOnly { found: &'static str },

@@ -2,10 +2,8 @@
 
 use kurbo::{Point, Vec2};
 
-use super::curve::{Bezier, Curve};
-
-/// Splines of higher degree are in no drawing.
-const HIGHEST_DEGREE: usize = 24;
+use crate::curve::{Bezier, Curve};
+use crate::spline_error::{HIGHEST_DEGREE, SplineError};
 
 /// A spline by its control points `(w x, w y, w)` and its knots.
 #[derive(Clone, Debug)]
@@ -15,38 +13,9 @@ pub(super) struct Spline {
     pub(super) points: Vec<[f64; 3]>,
 }
 
-/// Why a spline is none.
-#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
-pub(crate) enum SplineFault {
-    /// Of degree 0, or of an absurd one.
-    #[error("has the degree {degree}, expected one from 1 to {HIGHEST_DEGREE}")]
-    Degree { degree: usize },
-    /// Too few control points or knots.
-    #[error("has {points} control points and {knots} knots, expected {needed} knots for them")]
-    Counts { points: usize, knots: usize, needed: usize },
-    /// Fewer points than one more than the degree.
-    #[error("has {points} control points, expected at least {needed}")]
-    TooFewPoints { points: usize, needed: usize },
-    /// Knots that go back, or an empty range of them.
-    #[error("has knots that do not ascend, at number {knot}")]
-    Knots { knot: usize },
-    /// A knot so often that the spline falls apart there.
-    #[error("is torn at knot {knot}, which is there more often than its degree")]
-    Torn { knot: usize },
-    /// As many weights as something else.
-    #[error("has {weights} weights for {points} control points")]
-    WeightCount { weights: usize, points: usize },
-    /// A weight that is not positive.
-    #[error("has the weight {weight}, expected a positive number")]
-    Weight { weight: f64 },
-    /// Fit points that do not make a curve.
-    #[error("has {points} points to go through, expected at least 2 that differ")]
-    FitPoints { points: usize },
-}
-
 impl Spline {
     /// The curve, as one Bézier curve for each span between knots.
-    pub(super) fn curves(&self) -> Result<Vec<Curve>, SplineFault> {
+    pub(super) fn curves(&self) -> Result<Vec<Curve>, SplineError> {
         self.check()?;
         let (degree, count) = (self.degree, self.points.len());
         let mut curves: Vec<Curve> = Vec::new();
@@ -64,29 +33,29 @@ impl Spline {
         Ok(curves)
     }
 
-    fn check(&self) -> Result<(), SplineFault> {
+    fn check(&self) -> Result<(), SplineError> {
         let (degree, points, knots) = (self.degree, self.points.len(), self.knots.len());
         if !(1..=HIGHEST_DEGREE).contains(&degree) {
-            return Err(SplineFault::Degree { degree });
+            return Err(SplineError::Degree { degree });
         }
         if points <= degree {
-            return Err(SplineFault::TooFewPoints { points, needed: degree + 1 });
+            return Err(SplineError::TooFewPoints { points, needed: degree + 1 });
         }
         let needed = points + degree + 1;
         if knots != needed {
-            return Err(SplineFault::Counts { points, knots, needed });
+            return Err(SplineError::Counts { points, knots, needed });
         }
         if let Some(knot) = (1..knots).find(|&i| self.knots[i] < self.knots[i - 1]) {
-            return Err(SplineFault::Knots { knot });
+            return Err(SplineError::Knots { knot });
         }
         if self.knots[degree] >= self.knots[points] {
-            return Err(SplineFault::Knots { knot: degree });
+            return Err(SplineError::Knots { knot: degree });
         }
         let inside = |knot: f64| knot > self.knots[degree] && knot < self.knots[points];
         let torn = (degree..knots)
             .find(|&i| inside(self.knots[i]) && self.knots[i] <= self.knots[i - degree]);
         match torn {
-            Some(knot) => Err(SplineFault::Torn { knot }),
+            Some(knot) => Err(SplineError::Torn { knot }),
             None => Ok(()),
         }
     }
@@ -117,7 +86,7 @@ pub(super) fn through(
     points: &[Point],
     [start, end]: [Option<Vec2>; 2],
     closed: bool,
-) -> Result<Vec<Curve>, SplineFault> {
+) -> Result<Vec<Curve>, SplineError> {
     let mut knots: Vec<Point> = points.to_vec();
     knots.dedup();
     if closed && knots.len() > 1 && knots.first() != knots.last() {
@@ -125,7 +94,7 @@ pub(super) fn through(
     }
     let spans = knots.len().saturating_sub(1);
     if spans == 0 || (closed && spans < 2) {
-        return Err(SplineFault::FitPoints { points: points.len() });
+        return Err(SplineError::FitPoints { points: points.len() });
     }
     let steps: Vec<f64> = knots.windows(2).map(|pair| (pair[1] - pair[0]).hypot()).collect();
     let rises: Vec<Vec2> =

@@ -2,34 +2,34 @@
 
 use kurbo::{Point, Rect};
 
-use super::chain::Contour;
-use super::fault::DrawingFault;
-use super::sheet::Source;
+use crate::chain::Contour;
+use crate::error::DrawingError;
+use crate::source::Source;
 
 /// The contours, the outline first; all others are holes of it.
 pub(super) fn nested(
     mut contours: Vec<Contour>,
     sources: &[Source],
-) -> Result<Vec<Contour>, DrawingFault> {
+) -> Result<Vec<Contour>, DrawingError> {
     let areas: Vec<f64> = contours.iter().map(|contour| area(&contour.corners).abs()).collect();
     let largest = (0..areas.len()).max_by(|&one, &other| areas[one].total_cmp(&areas[other]));
     // Of equals the first one is the outline.
     let largest = largest.and_then(|one| areas.iter().position(|area| *area >= areas[one]));
-    let Some(outline) = largest else { return Err(DrawingFault::NoCurves) };
+    let Some(outline) = largest else { return Ok(contours) };
     contours[..=outline].rotate_right(1);
     let boxes: Vec<Rect> = contours.iter().map(|contour| around(&contour.corners)).collect();
     let source = |contour: usize| sources[contours[contour].sources[0]].clone();
     for hole in 1..contours.len() {
         let corner = contours[hole].corners[0];
         if !is_inside(corner, &contours[0].corners) {
-            let sources = Box::new([source(0), source(hole)]);
-            return Err(DrawingFault::SecondPart { sources });
+            let curves = Box::new([source(0), source(hole)]);
+            return Err(DrawingError::SecondPart { curves });
         }
         let within = (1..contours.len()).filter(|&other| other != hole);
         let mut within = within.filter(|&other| boxes[other].contains(corner));
         if let Some(other) = within.find(|&other| is_inside(corner, &contours[other].corners)) {
-            let sources = Box::new([source(other), source(hole)]);
-            return Err(DrawingFault::Island { sources });
+            let curves = Box::new([source(other), source(hole)]);
+            return Err(DrawingError::Island { curves });
         }
     }
     Ok(contours)

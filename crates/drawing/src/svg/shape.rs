@@ -8,19 +8,19 @@ use svgtypes::PointsParser;
 
 use super::attribute;
 use super::place::Size;
-use crate::input::drawing::curve::{Arc, Curve};
-use crate::input::drawing::fault::DrawingFault;
+use crate::curve::{Arc, Curve};
+use crate::error::DrawingError;
 
 /// The curves of a shape, which follow each other.
 pub(super) fn curves(
     node: Node<'_, '_>,
     size: Size,
     line: usize,
-) -> Result<Vec<Curve>, DrawingFault> {
+) -> Result<Vec<Curve>, DrawingError> {
     let along = |name| Ok(attribute(node, name, size.width(), line)?.unwrap_or(0.0));
     let down = |name| Ok(attribute(node, name, size.height(), line)?.unwrap_or(0.0));
     let kind = node.tag_name().name();
-    let no_size = || DrawingFault::NoLength { kind: kind.to_owned(), line };
+    let no_size = || DrawingError::NoLength { kind: kind.to_owned(), line };
     match kind {
         "line" => {
             let ends =

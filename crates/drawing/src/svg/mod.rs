@@ -12,9 +12,10 @@ use roxmltree::{Document, Node, ParsingOptions};
 
 use self::place::{Size, length, page, transform, viewport};
 use self::style::Style;
-use super::curve::Curve;
-use super::fault::DrawingFault;
-use super::sheet::{Reason, Sheet, Source, Strand};
+use crate::curve::Curve;
+use crate::error::{DrawingError, XmlError};
+use crate::sheet::{Sheet, Strand, is_one_of};
+use crate::source::{Reason, Source};
 
 /// The namespaces of SVG itself, and of the program that calls groups layers.
 const SVG: &str = "http://www.w3.org/2000/svg";
@@ -34,25 +35,21 @@ const MOST_NODES: u32 = 2_000_000;
 const LARGEST: f64 = 1e100;
 
 /// The curves of a file, on these layers only if any are named; y counts upwards.
-pub(super) fn read(bytes: &[u8], layers: &[String]) -> Result<Sheet, DrawingFault> {
+pub(super) fn read(bytes: &[u8], layers: &[&str]) -> Result<Sheet, DrawingError> {
     let text = std::str::from_utf8(bytes)
-        .map_err(|e| DrawingFault::NotText { offset: e.valid_up_to() })?;
+        .map_err(|e| DrawingError::NotText { offset: e.valid_up_to() })?;
     let options = ParsingOptions { allow_dtd: true, nodes_limit: MOST_NODES, ..Default::default() };
-    let document = Document::parse_with_options(text, options).map_err(DrawingFault::Xml)?;
+    let document =
+        Document::parse_with_options(text, options).map_err(|e| DrawingError::Xml(XmlError(e)))?;
     let root = document.root_element();
     if root.tag_name().name() != "svg" {
-        return Err(DrawingFault::NotSvg { found: root.tag_name().name().to_owned() });
+        return Err(DrawingError::NotSvg { found: root.tag_name().name().to_owned() });
     }
     let lines = Lines::of(text);
     let (map, size, unit) = page(root, lines.at(root))?;
     let named = root.descendants().filter_map(|node| Some((node.attribute("id")?, node)));
-    let mut reader = Reader {
-        lines,
-        names: named.collect(),
-        layers,
-        sheet: Sheet { unit, ..Sheet::default() },
-        drawn: 0,
-    };
+    let mut reader =
+        Reader { lines, names: named.collect(), layers, sheet: Sheet::new(unit), drawn: 0 };
     let state = State {
         map,
         size,
@@ -96,13 +93,13 @@ struct State<'a> {
 struct Reader<'a, 'input> {
     lines: Lines,
     names: HashMap<&'a str, Node<'a, 'input>>,
-    layers: &'a [String],
+    layers: &'a [&'a str],
     sheet: Sheet,
     drawn: usize,
 }
 
 impl<'a, 'input> Reader<'a, 'input> {
-    fn children(&mut self, node: Node<'a, 'input>, state: &State<'a>) -> Result<(), DrawingFault> {
+    fn children(&mut self, node: Node<'a, 'input>, state: &State<'a>) -> Result<(), DrawingError> {
         let inside = |child: &Node<'_, '_>| {
             let space = child.tag_name().namespace();
             child.is_element() && space.is_none_or(|space| space == SVG)
@@ -110,14 +107,14 @@ impl<'a, 'input> Reader<'a, 'input> {
         node.children().filter(inside).try_for_each(|child| self.element(child, state))
     }
 
-    fn element(&mut self, node: Node<'a, 'input>, state: &State<'a>) -> Result<(), DrawingFault> {
+    fn element(&mut self, node: Node<'a, 'input>, state: &State<'a>) -> Result<(), DrawingError> {
         let line = self.lines.at(node);
         self.drawn += 1;
         if self.drawn > MOST_ELEMENTS {
-            return Err(DrawingFault::TooManyEntities { most: MOST_ELEMENTS });
+            return Err(DrawingError::TooManyEntities { most: MOST_ELEMENTS });
         }
         if state.depth >= DEEPEST {
-            return Err(DrawingFault::TooDeep { line, deepest: DEEPEST });
+            return Err(DrawingError::TooDeep { line, deepest: DEEPEST });
         }
         let mut state = State { depth: state.depth + 1, ..state.clone() };
         state.map *= transform(node, line)?;
@@ -143,26 +140,18 @@ impl<'a, 'input> Reader<'a, 'input> {
             | "radialGradient" | "filter" | "metadata" | "title" | "desc" | "style" | "script"
             | "view" | "cursor" => Ok(()),
             other => {
-                self.known(state.layer);
+                self.sheet.know(state.layer);
                 self.sheet.aside.note(other, state.layer, Reason::NoCurve);
                 Ok(())
             }
         }
     }
 
-    /// Takes note of a layer.
-    fn known(&mut self, layer: &str) {
-        if !self.sheet.layers.iter().any(|known| known.eq_ignore_ascii_case(layer)) {
-            self.sheet.layers.push(layer.to_owned());
-        }
-    }
-
-    fn shape(&mut self, node: Node<'a, 'input>, state: &State<'a>) -> Result<(), DrawingFault> {
+    fn shape(&mut self, node: Node<'a, 'input>, state: &State<'a>) -> Result<(), DrawingError> {
         let (kind, line) = (node.tag_name().name(), self.lines.at(node));
         let layer = state.layer;
-        self.known(layer);
-        let asked =
-            self.layers.is_empty() || self.layers.iter().any(|l| l.eq_ignore_ascii_case(layer));
+        self.sheet.know(layer);
+        let asked = self.layers.is_empty() || is_one_of(layer, self.layers);
         let reason = if asked { state.style.reason() } else { Some(Reason::OtherLayer) };
         if let Some(reason) = reason {
             self.sheet.aside.note(kind, layer, reason);
@@ -178,7 +167,7 @@ impl<'a, 'input> Reader<'a, 'input> {
             let fits = |point: &Point| point.x.abs() <= LARGEST && point.y.abs() <= LARGEST;
             if !curves.iter().all(|curve| curve.samples().iter().all(fits)) {
                 let kind = kind.to_owned();
-                return Err(DrawingFault::OutOfRange { kind, line });
+                return Err(DrawingError::OutOfRange { kind, line });
             }
             self.sheet.strands.push(Strand { source, curves });
         }
@@ -192,13 +181,13 @@ impl<'a, 'input> Reader<'a, 'input> {
     }
 
     /// Draws what is elsewhere in the file.
-    fn again(&mut self, node: Node<'a, 'input>, state: &State<'a>) -> Result<(), DrawingFault> {
+    fn again(&mut self, node: Node<'a, 'input>, state: &State<'a>) -> Result<(), DrawingError> {
         let line = self.lines.at(node);
         let link = node.attribute("href").or_else(|| node.attribute((XLINK, "href")));
         let name = link.and_then(|link| link.strip_prefix('#'));
         let Some(&target) = name.and_then(|name| self.names.get(name)) else {
             let name = link.unwrap_or("").to_owned();
-            return Err(DrawingFault::NoSuchElement { name, line });
+            return Err(DrawingError::NoSuchElement { name, line });
         };
         let mut state = state.clone();
         state.map *= Affine::translate(Size::at(node, state.size, line)?);
@@ -209,7 +198,7 @@ impl<'a, 'input> Reader<'a, 'input> {
         state.map *= viewport(target, size, line)?;
         state.size = size.of_view(target, line)?;
         if state.depth >= DEEPEST {
-            return Err(DrawingFault::TooDeep { line, deepest: DEEPEST });
+            return Err(DrawingError::TooDeep { line, deepest: DEEPEST });
         }
         state.depth += 1;
         self.children(target, &state)
@@ -235,6 +224,6 @@ fn attribute(
     name: &str,
     whole: Option<f64>,
     line: usize,
-) -> Result<Option<f64>, DrawingFault> {
+) -> Result<Option<f64>, DrawingError> {
     node.attribute(name).map(|text| length(text, whole, line)).transpose()
 }

@@ -5,16 +5,15 @@ use roxmltree::Node;
 use svgtypes::{Align, AspectRatio, Length, LengthUnit, Transform, ViewBox};
 
 use super::{LARGEST, attribute};
-use crate::input::drawing::fault::DrawingFault;
-use crate::input::drawing::sheet::Unit;
-use crate::wording::quoted;
+use crate::error::DrawingError;
+use crate::unit::Unit;
 
 /// A pixel is a part of an inch (micrometers).
 const PIXEL: f64 = 25_400.0 / 96.0;
 
-const MILLIMETER: Unit = Unit { name: "mm", micrometers: 1e3 };
-const CENTIMETER: Unit = Unit { name: "cm", micrometers: 1e4 };
-const INCH: Unit = Unit { name: "in", micrometers: 25_400.0 };
+const MILLIMETER: Unit = Unit::new("mm", 1e3);
+const CENTIMETER: Unit = Unit::new("cm", 1e4);
+const INCH: Unit = Unit::new("in", 25_400.0);
 
 /// Width and height of a viewport, in the unit of what is in it; none if nothing says them.
 #[derive(Clone, Copy, Debug, Default)]
@@ -28,7 +27,7 @@ pub(super) struct Size {
 pub(super) fn page(
     root: Node<'_, '_>,
     line: usize,
-) -> Result<(Affine, Size, Option<Unit>), DrawingFault> {
+) -> Result<(Affine, Size, Option<Unit>), DrawingError> {
     let parsed = |name| {
         let given = root.attribute(name).map(|text| parsed(text, line)).transpose()?;
         Ok(given.filter(|length| length.unit != LengthUnit::Percent))
@@ -36,18 +35,18 @@ pub(super) fn page(
     let [width, height] = [parsed("width")?, parsed("height")?];
     let unit = width.or(height).and_then(|length| unit(length.unit));
     // Lengths in the unit of the page; without one, numbers as they are.
-    let in_unit = |length: Length| -> Result<f64, DrawingFault> {
+    let in_unit = |length: Length| -> Result<f64, DrawingError> {
         match unit {
             Some(unit) => {
                 let size = micrometers(length.unit).unwrap_or(PIXEL);
-                Ok(length.number * (size / unit.micrometers))
+                Ok(length.number * (size / unit.micrometers()))
             }
             None => Ok(length.number),
         }
     };
     let [width, height] = [width.map(in_unit).transpose()?, height.map(in_unit).transpose()?];
     let view = view_box(root, line)?;
-    let pixel = unit.map_or(1.0, |unit| PIXEL / unit.micrometers);
+    let pixel = unit.map_or(1.0, |unit| PIXEL / unit.micrometers());
     let own = Size { width, height };
     let map = match view {
         None => Affine::scale(pixel),
@@ -70,7 +69,7 @@ pub(super) fn viewport(
     node: Node<'_, '_>,
     size: Size,
     line: usize,
-) -> Result<Affine, DrawingFault> {
+) -> Result<Affine, DrawingError> {
     let Some(view) = view_box(node, line)? else { return Ok(Affine::IDENTITY) };
     let [sx, sy] = match (size.width, size.height) {
         (Some(width), Some(height)) => [width / view.w, height / view.h],
@@ -81,10 +80,10 @@ pub(super) fn viewport(
     let origin = Affine::translate((-view.x, -view.y));
     let ratio = match node.attribute("preserveAspectRatio") {
         None => AspectRatio { defer: false, align: Align::XMidYMid, slice: false },
-        Some(text) => text.parse().map_err(|_| DrawingFault::Svg {
+        Some(text) => text.parse().map_err(|_| DrawingError::Attribute {
             line,
-            what: "preserveAspectRatio",
-            found: quoted(text),
+            expected: "preserveAspectRatio",
+            found: text.to_owned(),
         })?,
     };
     if ratio.align == Align::None {
@@ -107,9 +106,9 @@ pub(super) fn viewport(
 }
 
 /// The transform of an element.
-pub(super) fn transform(node: Node<'_, '_>, line: usize) -> Result<Affine, DrawingFault> {
+pub(super) fn transform(node: Node<'_, '_>, line: usize) -> Result<Affine, DrawingError> {
     let Some(text) = node.attribute("transform") else { return Ok(Affine::IDENTITY) };
-    let wrong = || DrawingFault::Svg { line, what: "transform", found: quoted(text) };
+    let wrong = || DrawingError::Attribute { line, expected: "transform", found: text.to_owned() };
     let Transform { a, b, c, d, e, f } = text.parse().map_err(|_| wrong())?;
     let coefficients = [a, b, c, d, e, f];
     if coefficients.iter().all(|x| x.abs() <= LARGEST) {
@@ -119,32 +118,32 @@ pub(super) fn transform(node: Node<'_, '_>, line: usize) -> Result<Affine, Drawi
 }
 
 /// A length in user units, which are pixels; `whole` is what percentages are of.
-pub(super) fn length(text: &str, whole: Option<f64>, line: usize) -> Result<f64, DrawingFault> {
+pub(super) fn length(text: &str, whole: Option<f64>, line: usize) -> Result<f64, DrawingError> {
     let length = parsed(text, line)?;
     match (micrometers(length.unit), length.unit, whole) {
         (_, LengthUnit::None | LengthUnit::Px, _) => Ok(length.number),
         (Some(size), _, _) => Ok(length.number * (size / PIXEL)),
         (None, LengthUnit::Percent, Some(whole)) => Ok(whole * length.number / 100.0),
-        _ => Err(DrawingFault::Svg { line, what: "a length", found: quoted(text) }),
+        _ => Err(DrawingError::Attribute { line, expected: "a length", found: text.to_owned() }),
     }
 }
 
 impl Size {
     /// The size that an element has in a viewport of this size: all of it if it does not say.
-    pub(super) fn inner(self, node: Node<'_, '_>, line: usize) -> Result<Self, DrawingFault> {
+    pub(super) fn inner(self, node: Node<'_, '_>, line: usize) -> Result<Self, DrawingError> {
         let width = attribute(node, "width", self.width, line)?.or(self.width);
         let height = attribute(node, "height", self.height, line)?.or(self.height);
         Ok(Self { width, height })
     }
 
     /// The size that percentages are of in an element of this size.
-    pub(super) fn of_view(self, node: Node<'_, '_>, line: usize) -> Result<Self, DrawingFault> {
+    pub(super) fn of_view(self, node: Node<'_, '_>, line: usize) -> Result<Self, DrawingError> {
         let view = view_box(node, line)?;
         Ok(view.map_or(self, |view| Self { width: Some(view.w), height: Some(view.h) }))
     }
 
     /// Where an element is by its x and y.
-    pub(super) fn at(node: Node<'_, '_>, around: Self, line: usize) -> Result<Vec2, DrawingFault> {
+    pub(super) fn at(node: Node<'_, '_>, around: Self, line: usize) -> Result<Vec2, DrawingError> {
         let x = attribute(node, "x", around.width, line)?.unwrap_or(0.0);
         let y = attribute(node, "y", around.height, line)?.unwrap_or(0.0);
         Ok(Vec2::new(x, y))
@@ -165,23 +164,23 @@ impl Size {
     }
 }
 
-fn parsed(text: &str, line: usize) -> Result<Length, DrawingFault> {
+fn parsed(text: &str, line: usize) -> Result<Length, DrawingError> {
     let length: Option<Length> = text.trim().parse().ok();
-    length.filter(|length| length.number.abs() <= LARGEST).ok_or_else(|| DrawingFault::Svg {
+    length.filter(|length| length.number.abs() <= LARGEST).ok_or_else(|| DrawingError::Attribute {
         line,
-        what: "a length",
-        found: quoted(text),
+        expected: "a length",
+        found: text.to_owned(),
     })
 }
 
-fn view_box(node: Node<'_, '_>, line: usize) -> Result<Option<ViewBox>, DrawingFault> {
+fn view_box(node: Node<'_, '_>, line: usize) -> Result<Option<ViewBox>, DrawingError> {
     let Some(text) = node.attribute("viewBox") else { return Ok(None) };
     let view: Option<ViewBox> = text.parse().ok();
     let fits = |view: &ViewBox| {
         let far = view.x.abs().max(view.y.abs()).max(view.w).max(view.h);
         view.w > 0.0 && view.h > 0.0 && far <= LARGEST
     };
-    let wrong = || DrawingFault::Svg { line, what: "viewBox", found: quoted(text) };
+    let wrong = || DrawingError::Attribute { line, expected: "viewBox", found: text.to_owned() };
     view.filter(fits).map(Some).ok_or_else(wrong)
 }
 

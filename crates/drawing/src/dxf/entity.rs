@@ -7,9 +7,10 @@ use kurbo::{Affine, Point, Vec2};
 use super::MOST_ENTITIES;
 use super::blocks::Entity;
 use super::pairs::Record;
-use crate::input::drawing::curve::{Arc, Curve};
-use crate::input::drawing::fault::DrawingFault;
-use crate::input::drawing::spline::{Spline, SplineFault, through};
+use crate::curve::{Arc, Curve};
+use crate::error::DrawingError;
+use crate::spline::{Spline, through};
+use crate::spline_error::SplineError;
 
 /// The flags of polylines: closed, in space, a mesh of either kind.
 const CLOSED: i64 = 1;
@@ -33,7 +34,7 @@ enum Side {
 }
 
 /// The curves of an entity; none if it is of a kind without any.
-pub(super) fn curves(entity: &Entity<'_>) -> Result<Option<Curves>, DrawingFault> {
+pub(super) fn curves(entity: &Entity<'_>) -> Result<Option<Curves>, DrawingError> {
     let record = entity.record;
     let drawn = match record.kind {
         "LINE" => line,
@@ -57,19 +58,19 @@ pub(super) fn curves(entity: &Entity<'_>) -> Result<Option<Curves>, DrawingFault
 pub(super) fn places(
     record: &Record<'_>,
     base: Point,
-) -> Result<Option<Vec<Affine>>, DrawingFault> {
+) -> Result<Option<Vec<Affine>>, DrawingError> {
     let Some(side) = side(record)? else { return Ok(None) };
-    let count = |code| -> Result<usize, DrawingFault> {
+    let count = |code| -> Result<usize, DrawingError> {
         let count = record.flags(code).max(1);
         let most = MOST_ENTITIES;
         usize::try_from(count)
             .ok()
             .filter(|count| *count <= most)
-            .ok_or(DrawingFault::TooManyEntities { most })
+            .ok_or(DrawingError::TooManyEntities { most })
     };
     let (columns, rows) = (count(70)?, count(71)?);
     if columns * rows > MOST_ENTITIES {
-        return Err(DrawingFault::TooManyEntities { most: MOST_ENTITIES });
+        return Err(DrawingError::TooManyEntities { most: MOST_ENTITIES });
     }
     let [dx, dy] = [record.number_or(44, 0.0)?, record.number_or(45, 0.0)?];
     let [sx, sy] = [record.number_or(41, 1.0)?, record.number_or(42, 1.0)?];
@@ -96,7 +97,7 @@ impl Side {
 }
 
 /// From which side a thing is drawn; none if it is not in the plane.
-fn side(record: &Record<'_>) -> Result<Option<Side>, DrawingFault> {
+fn side(record: &Record<'_>) -> Result<Option<Side>, DrawingError> {
     let normal =
         [record.number_or(210, 0.0)?, record.number_or(220, 0.0)?, record.number_or(230, 1.0)?];
     let flat = normal[0].abs() <= 0.0 && normal[1].abs() <= 0.0;
@@ -108,7 +109,7 @@ fn side(record: &Record<'_>) -> Result<Option<Side>, DrawingFault> {
 }
 
 /// A line has the coordinates of the drawing, from whichever side it is drawn.
-fn line(record: &Record<'_>, _: Side) -> Result<Curves, DrawingFault> {
+fn line(record: &Record<'_>, _: Side) -> Result<Curves, DrawingError> {
     let start = Point::new(record.needed(10)?, record.needed(20)?);
     let end = Point::new(record.needed(11)?, record.needed(21)?);
     let heights = [record.number_or(30, 0.0)?, record.number_or(31, 0.0)?];
@@ -118,12 +119,12 @@ fn line(record: &Record<'_>, _: Side) -> Result<Curves, DrawingFault> {
     Ok(Curves::OffPlane)
 }
 
-fn circle(record: &Record<'_>, side: Side) -> Result<Curves, DrawingFault> {
+fn circle(record: &Record<'_>, side: Side) -> Result<Curves, DrawingError> {
     let (center, radius) = center_and_radius(record)?;
     Ok(Curves::InPlane(vec![Curve::circle(center, radius).mapped(side.map())]))
 }
 
-fn arc(record: &Record<'_>, side: Side) -> Result<Curves, DrawingFault> {
+fn arc(record: &Record<'_>, side: Side) -> Result<Curves, DrawingError> {
     let (center, radius) = center_and_radius(record)?;
     let [from, to] = [record.needed(50)?.to_radians(), record.needed(51)?.to_radians()];
     let arc = Arc {
@@ -138,7 +139,7 @@ fn arc(record: &Record<'_>, side: Side) -> Result<Curves, DrawingFault> {
 }
 
 /// An ellipse has the coordinates of the drawing; from below it runs the other way.
-fn ellipse(record: &Record<'_>, side: Side) -> Result<Curves, DrawingFault> {
+fn ellipse(record: &Record<'_>, side: Side) -> Result<Curves, DrawingError> {
     let center = Point::new(record.needed(10)?, record.needed(20)?);
     let u = Vec2::new(record.needed(11)?, record.needed(21)?);
     let ratio = record.needed(40)?;
@@ -154,14 +155,14 @@ fn ellipse(record: &Record<'_>, side: Side) -> Result<Curves, DrawingFault> {
     }]))
 }
 
-fn center_and_radius(record: &Record<'_>) -> Result<(Point, f64), DrawingFault> {
+fn center_and_radius(record: &Record<'_>) -> Result<(Point, f64), DrawingError> {
     let center = Point::new(record.needed(10)?, record.needed(20)?);
     let radius = record.needed(40)?;
     if radius > 0.0 {
         return Ok((center, radius));
     }
     let (kind, line) = (record.kind.to_owned(), record.line);
-    Err(DrawingFault::Radius { kind, line, radius })
+    Err(DrawingError::Radius { kind, line, radius })
 }
 
 /// How far it is from one angle on to another; a whole turn for none.
@@ -174,7 +175,7 @@ fn counter_clockwise(from: f64, to: f64) -> f64 {
 /// Angles of files have at least nine digits: what is nearer to a whole turn is one (radian).
 const WHOLE_TURN: f64 = 1e-9;
 
-fn light_polyline(record: &Record<'_>, side: Side) -> Result<Curves, DrawingFault> {
+fn light_polyline(record: &Record<'_>, side: Side) -> Result<Curves, DrawingError> {
     let vertices = record.groups([10, 20, 42])?;
     let vertices = vertices.iter().map(|[x, y, bulge]| {
         (Point::new(x.unwrap_or(0.0), y.unwrap_or(0.0)), bulge.unwrap_or(0.0))
@@ -184,7 +185,7 @@ fn light_polyline(record: &Record<'_>, side: Side) -> Result<Curves, DrawingFaul
     Ok(Curves::InPlane(curves.iter().map(|curve| curve.mapped(side.map())).collect()))
 }
 
-fn polyline(entity: &Entity<'_>) -> Result<Curves, DrawingFault> {
+fn polyline(entity: &Entity<'_>) -> Result<Curves, DrawingError> {
     let record = entity.record;
     let Some(side) = side(record)? else { return Ok(Curves::OffPlane) };
     let drawn = |part: &&Record<'_>| part.kind == "VERTEX" && part.flags(70) & CONTROL_VERTEX == 0;
@@ -209,7 +210,7 @@ fn chain(
     record: &Record<'_>,
     vertices: &[(Point, f64)],
     closed: bool,
-) -> Result<Vec<Curve>, DrawingFault> {
+) -> Result<Vec<Curve>, DrawingError> {
     let closing = vertices.last().zip(vertices.first()).filter(|_| closed);
     let pairs = vertices.windows(2).map(|pair| (&pair[0], &pair[1])).chain(closing);
     let pairs = pairs.filter(|(one, other)| one.0 != other.0);
@@ -217,14 +218,14 @@ fn chain(
         pairs.map(|((p, bulge), (q, _))| Curve::bulged([*p, *q], *bulge)).collect();
     if curves.is_empty() {
         let (kind, line) = (record.kind.to_owned(), record.line);
-        return Err(DrawingFault::NoLength { kind, line });
+        return Err(DrawingError::NoLength { kind, line });
     }
     Ok(curves)
 }
 
 /// A spline has the coordinates of the drawing.
-fn spline(record: &Record<'_>, _: Side) -> Result<Curves, DrawingFault> {
-    let faulty = |fault| DrawingFault::Spline { line: record.line, fault };
+fn spline(record: &Record<'_>, _: Side) -> Result<Curves, DrawingError> {
+    let faulty = |error| DrawingError::Spline { line: record.line, error };
     let controls = record.groups([10, 20, 30])?;
     let fits = record.groups([11, 21, 31])?;
     let given = if controls.is_empty() { &fits } else { &controls };
@@ -234,7 +235,7 @@ fn spline(record: &Record<'_>, _: Side) -> Result<Curves, DrawingFault> {
         return Ok(Curves::OffPlane);
     }
     if controls.is_empty() {
-        let tangent = |[x, y]: [i32; 2]| -> Result<Option<Vec2>, DrawingFault> {
+        let tangent = |[x, y]: [i32; 2]| -> Result<Option<Vec2>, DrawingError> {
             match record.text(x) {
                 None => Ok(None),
                 Some(_) => Ok(Some(Vec2::new(record.needed(x)?, record.number_or(y, 0.0)?))),
@@ -248,10 +249,10 @@ fn spline(record: &Record<'_>, _: Side) -> Result<Curves, DrawingFault> {
     let weights = record.numbers(41)?;
     let points = controls.len();
     if !weights.is_empty() && weights.len() != points {
-        return Err(faulty(SplineFault::WeightCount { weights: weights.len(), points }));
+        return Err(faulty(SplineError::WeightCount { weights: weights.len(), points }));
     }
     if let Some(&weight) = weights.iter().find(|weight| **weight <= 0.0) {
-        return Err(faulty(SplineFault::Weight { weight }));
+        return Err(faulty(SplineError::Weight { weight }));
     }
     let weight = |i: usize| weights.get(i).copied().unwrap_or(1.0);
     let weighed = controls.iter().map(point).enumerate();

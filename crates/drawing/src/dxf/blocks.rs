@@ -5,7 +5,7 @@ use std::collections::HashMap;
 use kurbo::Point;
 
 use super::pairs::Record;
-use crate::input::drawing::fault::DrawingFault;
+use crate::error::DrawingError;
 
 /// An entity, with the records that belong to it: the vertices of a polyline.
 #[derive(Clone, Debug)]
@@ -28,7 +28,7 @@ pub(super) struct Block<'a> {
 pub(super) struct Blocks<'a>(HashMap<String, Block<'a>>);
 
 impl<'a> Blocks<'a> {
-    pub(super) fn of(records: &'a [Record<'a>]) -> Result<Self, DrawingFault> {
+    pub(super) fn of(records: &'a [Record<'a>]) -> Result<Self, DrawingError> {
         let mut blocks = HashMap::new();
         let mut rest = section(records, "BLOCKS");
         while let Some(start) = rest.iter().position(|record| record.kind == "BLOCK") {

@@ -10,8 +10,10 @@ use kurbo::Affine;
 use self::blocks::{Blocks, Entity, entities};
 use self::pairs::records;
 use self::tables::Tables;
-use super::fault::DrawingFault;
-use super::sheet::{Reason, Sheet, Source, Strand, Unit};
+use crate::error::DrawingError;
+use crate::sheet::{Sheet, Strand, is_one_of};
+use crate::source::{Reason, Source};
+use crate::unit::Unit;
 
 /// What a binary file begins with.
 const BINARY: &[u8] = b"AutoCAD Binary DXF";
@@ -24,27 +26,27 @@ const DEEPEST: usize = 16;
 
 /// The units of `$INSUNITS` by their number.
 const UNITS: [(u8, Unit); 12] = [
-    (1, Unit { name: "in", micrometers: 25_400.0 }),
-    (2, Unit { name: "ft", micrometers: 304_800.0 }),
-    (4, Unit { name: "mm", micrometers: 1e3 }),
-    (5, Unit { name: "cm", micrometers: 1e4 }),
-    (6, Unit { name: "m", micrometers: 1e6 }),
-    (7, Unit { name: "km", micrometers: 1e9 }),
-    (8, Unit { name: "uin", micrometers: 0.0254 }),
-    (9, Unit { name: "mil", micrometers: 25.4 }),
-    (10, Unit { name: "yd", micrometers: 914_400.0 }),
-    (12, Unit { name: "nm", micrometers: 1e-3 }),
-    (13, Unit { name: "um", micrometers: 1.0 }),
-    (14, Unit { name: "dm", micrometers: 1e5 }),
+    (1, Unit::new("in", 25_400.0)),
+    (2, Unit::new("ft", 304_800.0)),
+    (4, Unit::new("mm", 1e3)),
+    (5, Unit::new("cm", 1e4)),
+    (6, Unit::new("m", 1e6)),
+    (7, Unit::new("km", 1e9)),
+    (8, Unit::new("uin", 0.0254)),
+    (9, Unit::new("mil", 25.4)),
+    (10, Unit::new("yd", 914_400.0)),
+    (12, Unit::new("nm", 1e-3)),
+    (13, Unit::new("um", 1.0)),
+    (14, Unit::new("dm", 1e5)),
 ];
 
 /// The curves of a file, on these layers only if any are named.
-pub(super) fn read(bytes: &[u8], layers: &[String]) -> Result<Sheet, DrawingFault> {
+pub(super) fn read(bytes: &[u8], layers: &[&str]) -> Result<Sheet, DrawingError> {
     if bytes.starts_with(BINARY) {
-        return Err(DrawingFault::BinaryDxf);
+        return Err(DrawingError::BinaryDxf);
     }
     if bytes.starts_with(b"AC10") {
-        return Err(DrawingFault::Dwg);
+        return Err(DrawingError::Dwg);
     }
     let text = text(bytes);
     let records = records(text.trim_start_matches('\u{feff}'))?;
@@ -54,7 +56,7 @@ pub(super) fn read(bytes: &[u8], layers: &[String]) -> Result<Sheet, DrawingFaul
         tables: &tables,
         blocks: &blocks,
         layers,
-        sheet: Sheet { unit: unit(tables.unit), ..Sheet::default() },
+        sheet: Sheet::new(unit(tables.unit)),
         within: Vec::new(),
         drawn: 0,
     };
@@ -87,7 +89,7 @@ struct Frame<'a> {
 struct Reader<'a> {
     tables: &'a Tables<'a>,
     blocks: &'a Blocks<'a>,
-    layers: &'a [String],
+    layers: &'a [&'a str],
     sheet: Sheet,
     /// The names of the blocks that the reader is in.
     within: Vec<&'a str>,
@@ -95,17 +97,15 @@ struct Reader<'a> {
 }
 
 impl<'a> Reader<'a> {
-    fn entity(&mut self, entity: &Entity<'a>, frame: &Frame<'a>) -> Result<(), DrawingFault> {
+    fn entity(&mut self, entity: &Entity<'a>, frame: &Frame<'a>) -> Result<(), DrawingError> {
         self.drawn += 1;
         if self.drawn > MOST_ENTITIES {
-            return Err(DrawingFault::TooManyEntities { most: MOST_ENTITIES });
+            return Err(DrawingError::TooManyEntities { most: MOST_ENTITIES });
         }
         let record = entity.record;
         let own = record.text(8).unwrap_or("0");
         let layer = if own == "0" { frame.layer.unwrap_or(own) } else { own };
-        if !self.sheet.layers.iter().any(|known| known.eq_ignore_ascii_case(layer)) {
-            self.sheet.layers.push(layer.to_owned());
-        }
+        self.sheet.know(layer);
         let aside = |sheet: &mut Sheet, reason| sheet.aside.note(record.kind, layer, reason);
         if record.kind == "INSERT" {
             return match self.hidden(entity) {
@@ -153,7 +153,7 @@ impl<'a> Reader<'a> {
     }
 
     fn asked_for(&self, layer: &str) -> bool {
-        self.layers.is_empty() || self.layers.iter().any(|name| name.eq_ignore_ascii_case(layer))
+        self.layers.is_empty() || is_one_of(layer, self.layers)
     }
 
     /// Draws a block, as often as its place says.
@@ -162,17 +162,17 @@ impl<'a> Reader<'a> {
         entity: &Entity<'a>,
         layer: &'a str,
         frame: &Frame<'a>,
-    ) -> Result<(), DrawingFault> {
+    ) -> Result<(), DrawingError> {
         let record = entity.record;
         let name = record.text(2).unwrap_or("");
         let at = |name: &str| (name.to_owned(), record.line);
         let Some(block) = self.blocks.find(name) else {
             let (name, line) = at(name);
-            return Err(DrawingFault::NoSuchBlock { name, line });
+            return Err(DrawingError::NoSuchBlock { name, line });
         };
         if self.within.contains(&block.name) || self.within.len() >= DEEPEST {
             let (name, line) = at(name);
-            return Err(DrawingFault::RecursiveBlock { name, line });
+            return Err(DrawingError::RecursiveBlock { name, line });
         }
         let Some(places) = entity::places(record, block.base)? else {
             self.sheet.aside.note(record.kind, layer, Reason::OffPlane);
@@ -183,7 +183,7 @@ impl<'a> Reader<'a> {
             let frame = Frame { map: frame.map * place, layer: Some(layer) };
             self.drawn += 1;
             if self.drawn > MOST_ENTITIES {
-                return Err(DrawingFault::TooManyEntities { most: MOST_ENTITIES });
+                return Err(DrawingError::TooManyEntities { most: MOST_ENTITIES });
             }
             for entity in &block.entities {
                 self.entity(entity, &frame)?;

@@ -5,8 +5,8 @@ use std::collections::hash_map::Entry;
 
 use kurbo::Point;
 
-use super::fault::DrawingFault;
-use super::sheet::Source;
+use crate::error::DrawingError;
+use crate::source::Source;
 
 /// The corners of one strand.
 #[derive(Clone, Debug)]
@@ -58,7 +58,7 @@ pub(super) fn joined(
     chains: &[Chain],
     sources: &[Source],
     within: f64,
-) -> Result<Joined, DrawingFault> {
+) -> Result<Joined, DrawingError> {
     let mut contours = Vec::new();
     let mut largest_gap = 0.0_f64;
     let mut open: Vec<&Chain> = Vec::new();
@@ -66,7 +66,7 @@ pub(super) fn joined(
         let (first, last) = (chain.points[0], chain.points[chain.points.len() - 1]);
         let source = &sources[chain.source];
         if chain.points.iter().all(|point| point.distance(first) <= within) {
-            return Err(DrawingFault::TooShort { curve: source.clone(), within });
+            return Err(DrawingError::TooShort { curve: Box::new(source.clone()), within });
         }
         let gap = first.distance(last);
         if gap <= within && chain.points.len() > 2 {
@@ -116,7 +116,7 @@ struct Ends {
 }
 
 impl Ends {
-    fn of(chains: &[&Chain], sources: &[Source], within: f64) -> Result<Self, DrawingFault> {
+    fn of(chains: &[&Chain], sources: &[Source], within: f64) -> Result<Self, DrawingError> {
         let places: Vec<Point> = chains
             .iter()
             .flat_map(|chain| [chain.points[0], chain.points[chain.points.len() - 1]])
@@ -135,8 +135,8 @@ impl Ends {
                         continue;
                     }
                     if let Some(third) = partners[end].or(partners[other]) {
-                        let sources = Box::new([source(third), source(other), source(end)]);
-                        return Err(DrawingFault::Branch { sources, at: place.to_owned().into() });
+                        let curves = Box::new([source(third), source(other), source(end)]);
+                        return Err(DrawingError::Branch { curves, at: [place.x, place.y] });
                     }
                     largest_gap = largest_gap.max(places[other].distance(*place));
                     partners[end] = Some(other);
@@ -152,20 +152,21 @@ impl Ends {
     }
 }
 
-/// The fault that nothing goes on at an end, and what is nearest to it.
+/// The error that nothing goes on at an end, and what is nearest to it.
 fn open_end(
     end: usize,
     places: &[Point],
     partners: &[Option<usize>],
     source: impl Fn(usize) -> Source,
-) -> DrawingFault {
+) -> DrawingError {
     let others = (0..places.len()).filter(|&other| other != end && partners[other].is_none());
     let away = |other: &usize| places[*other].distance(places[end]);
     let nearest = others.min_by(|one, other| away(one).total_cmp(&away(other)));
-    DrawingFault::OpenEnd {
+    DrawingError::OpenEnd {
         curve: Box::new(source(end)),
-        at: places[end].into(),
+        at: [places[end].x, places[end].y],
         nearest: nearest.map(|other| Box::new((source(other), away(&other)))),
+        left_aside: Vec::new(),
     }
 }
 

@@ -5,18 +5,18 @@ use std::f64::consts::TAU;
 use kurbo::{Affine, Point, Vec2};
 use svgtypes::{PathParser, PathSegment};
 
-use crate::input::drawing::curve::{Arc, Bezier, Curve};
-use crate::input::drawing::fault::DrawingFault;
+use crate::curve::{Arc, Bezier, Curve};
+use crate::error::DrawingError;
 
 /// The curves of each part of a path, which follow each other.
-pub(super) fn strands(data: &str, line: usize) -> Result<Vec<Vec<Curve>>, DrawingFault> {
+pub(super) fn strands(data: &str, line: usize) -> Result<Vec<Vec<Curve>>, DrawingError> {
     let mut pen = Pen::default();
     for segment in PathParser::from(data) {
-        pen.draw(segment.map_err(|_| DrawingFault::Path { line })?);
+        pen.draw(segment.map_err(|_| DrawingError::Path { line })?);
     }
     pen.lift();
     if pen.strands.is_empty() {
-        return Err(DrawingFault::NoLength { kind: "path".to_owned(), line });
+        return Err(DrawingError::NoLength { kind: "path".to_owned(), line });
     }
     Ok(pen.strands)
 }

@@ -2,7 +2,7 @@
 
 use roxmltree::Node;
 
-use crate::input::drawing::sheet::Reason;
+use crate::source::Reason;
 
 /// The properties of an element that are its own or those of what is around it.
 #[derive(Clone, Copy, Debug, Default)]

@@ -1,7 +1,6 @@
 //! The text of a DXF file: pairs of a code and a value, gathered into records.
 
-use crate::input::drawing::fault::DrawingFault;
-use crate::wording::quoted;
+use crate::error::DrawingError;
 
 /// Numbers beyond this are in no drawing, and products of three of them stay finite.
 const LARGEST: f64 = 1e100;
@@ -24,19 +23,19 @@ pub(super) struct Record<'a> {
 }
 
 /// The records of a text, up to that of its end.
-pub(super) fn records(text: &str) -> Result<Vec<Record<'_>>, DrawingFault> {
+pub(super) fn records(text: &str) -> Result<Vec<Record<'_>>, DrawingError> {
     let mut lines = text.lines().zip(1..);
     let mut records: Vec<Record<'_>> = Vec::new();
     let mut last = 1;
     loop {
         let Some((code, line)) = lines.next() else {
-            return Err(DrawingFault::CutOff { line: last });
+            return Err(DrawingError::CutOff { line: last });
         };
         let Ok(code) = code.trim().parse::<i32>() else {
-            return Err(DrawingFault::GroupCode { line, found: quoted(code.trim()) });
+            return Err(DrawingError::GroupCode { line, found: code.trim().to_owned() });
         };
         let Some((value, line)) = lines.next() else {
-            return Err(DrawingFault::CutOff { line });
+            return Err(DrawingError::CutOff { line });
         };
         last = line;
         match (code, records.last_mut()) {
@@ -46,7 +45,7 @@ pub(super) fn records(text: &str) -> Result<Vec<Record<'_>>, DrawingFault> {
             (999, _) => {}
             (_, Some(record)) => record.pairs.push(Pair { code, value, line }),
             (_, None) => {
-                return Err(DrawingFault::GroupCode { line: line - 1, found: quoted(value) });
+                return Err(DrawingError::GroupCode { line: line - 1, found: value.to_owned() });
             }
         }
     }
@@ -67,13 +66,13 @@ impl<'a> Record<'a> {
     }
 
     /// The number with this code, or another one if there is none.
-    pub(super) fn number_or(&self, code: i32, default: f64) -> Result<f64, DrawingFault> {
+    pub(super) fn number_or(&self, code: i32, default: f64) -> Result<f64, DrawingError> {
         Ok(self.number(code)?.unwrap_or(default))
     }
 
     /// The number with this code, which has to be there.
-    pub(super) fn needed(&self, code: i32) -> Result<f64, DrawingFault> {
-        self.number(code)?.ok_or_else(|| DrawingFault::MissingValue {
+    pub(super) fn needed(&self, code: i32) -> Result<f64, DrawingError> {
+        self.number(code)?.ok_or_else(|| DrawingError::MissingValue {
             kind: self.kind.to_owned(),
             line: self.line,
             code,
@@ -81,7 +80,7 @@ impl<'a> Record<'a> {
     }
 
     /// The numbers with this code.
-    pub(super) fn numbers(&self, code: i32) -> Result<Vec<f64>, DrawingFault> {
+    pub(super) fn numbers(&self, code: i32) -> Result<Vec<f64>, DrawingError> {
         self.pairs.iter().filter(|pair| pair.code == code).map(Pair::number).collect()
     }
 
@@ -94,7 +93,7 @@ impl<'a> Record<'a> {
     pub(super) fn groups<const N: usize>(
         &self,
         codes: [i32; N],
-    ) -> Result<Vec<[Option<f64>; N]>, DrawingFault> {
+    ) -> Result<Vec<[Option<f64>; N]>, DrawingError> {
         let mut groups: Vec<[Option<f64>; N]> = Vec::new();
         for pair in &self.pairs {
             let Some(i) = codes.iter().position(|code| *code == pair.code) else { continue };
@@ -108,17 +107,17 @@ impl<'a> Record<'a> {
         Ok(groups)
     }
 
-    fn number(&self, code: i32) -> Result<Option<f64>, DrawingFault> {
+    fn number(&self, code: i32) -> Result<Option<f64>, DrawingError> {
         self.pairs.iter().find(|pair| pair.code == code).map(Pair::number).transpose()
     }
 }
 
 impl Pair<'_> {
-    fn number(&self) -> Result<f64, DrawingFault> {
+    fn number(&self) -> Result<f64, DrawingError> {
         let number = self.value.trim().parse().ok();
         number.filter(|number: &f64| number.abs() <= LARGEST).ok_or_else(|| {
-            let (line, found) = (self.line, quoted(self.value.trim()));
-            DrawingFault::NotANumber { line, found }
+            let (line, found) = (self.line, self.value.trim().to_owned());
+            DrawingError::NotANumber { line, found }
         })
     }
 }

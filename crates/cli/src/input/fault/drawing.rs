@@ -1,0 +1,47 @@
+//! What can be wrong with a drawing and what is said of it.
+
+use clench::drawing::DrawingError;
+
+use crate::wording::{layer_name, quoted};
+
+/// Why a drawing, or what a file says of it, was refused.
+#[derive(Debug, thiserror::Error)]
+pub(crate) enum DrawingFault {
+    /// It is no drawing of a part.
+    #[error(transparent)]
+    Drawing(#[from] DrawingError),
+    /// The reader gave up in a way that it should not.
+    #[error("the file cannot be read: its reader failed; is the file damaged?")]
+    Panicked,
+    /// A drawing without units, and none said elsewhere.
+    #[error("the drawing does not name its unit of length")]
+    NoUnit,
+    /// A unit that the drawing's cannot be converted into.
+    #[error(
+        "the drawing is in {found}, which cannot be converted into {}: expected um, mm, cm, m, in \
+         or ft",
+        quoted(.wanted)
+    )]
+    UnknownUnit { found: &'static str, wanted: String },
+    /// A layer on which there is no edge.
+    #[error("{} has no edge of the outline or a hole", layer_name(.layer))]
+    NoEdgeOnLayer { layer: String },
+    /// An edge without a stiffness.
+    #[error("found no stiffness for {}, on which there are edges", layer_name(.layer))]
+    NoStiffness { layer: String },
+}
+
+impl DrawingFault {
+    pub(super) fn help(&self) -> Option<&'static str> {
+        match self {
+            Self::Drawing(DrawingError::BinaryDxf | DrawingError::Dwg) => {
+                Some("most programs that draw can save text DXF or SVG")
+            }
+            Self::Drawing(DrawingError::OpenEnd { .. } | DrawingError::Branch { .. }) => {
+                Some("`layers`, or --layer, takes the curves of some layers only")
+            }
+            Self::NoUnit => Some("give `units` in the part file, or --units mm"),
+            _ => None,
+        }
+    }
+}
