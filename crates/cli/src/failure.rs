@@ -10,6 +10,7 @@ use miette::Diagnostic;
 use crate::complaint::Kind;
 use crate::input::{InputError, Position};
 use crate::optimize::OutOfRange;
+use crate::wording::quoted;
 
 /// The end of a command that wrote nothing.
 #[derive(Debug, thiserror::Error, Diagnostic)]
@@ -48,6 +49,13 @@ pub(crate) enum Failure {
          drawing"
     )]
     StiffnessTwice,
+    /// Two stiffnesses for one layer.
+    #[error(
+        "--stiffness: found one for layer {} and one for layer {}, expected one: they are the same \
+         layer, whose case does not count",
+        quoted(&.layers[0]), quoted(&.layers[1])
+    )]
+    LayerTwice { layers: [String; 2] },
     /// An option that says what the part file has to say.
     #[error(
         "{option} goes with a drawing or a mesh in place of a part file, expected the same in the \
@@ -94,6 +102,7 @@ impl Failure {
             Self::Usage { .. }
                 | Self::NoStiffness
                 | Self::StiffnessTwice
+                | Self::LayerTwice { .. }
                 | Self::AloneOption { .. }
                 | Self::DrawingOption { .. }
                 | Self::PlanarFrame { .. }

@@ -11,6 +11,7 @@
 
 pub mod cases;
 mod close;
+pub mod drawings;
 mod random;
 pub mod solids;
 

@@ -68,14 +68,16 @@ fn stiffness(alone: &Alone, planar: bool) -> Result<Option<PerPiece>, Failure> {
         [] => Ok(None),
         [LayerStiffness { layer: None, stiffness }] => Ok(Some(PerPiece::All(*stiffness))),
         several => {
-            let mut layers = BTreeMap::new();
+            let mut layers: BTreeMap<String, Finite> = BTreeMap::new();
             for LayerStiffness { layer, stiffness } in several {
                 let Some(layer) = layer.clone().filter(|_| planar) else {
                     return Err(Failure::StiffnessTwice);
                 };
-                if layers.insert(layer, *stiffness).is_some() {
-                    return Err(Failure::StiffnessTwice);
+                if let Some(other) = layers.keys().find(|other| other.eq_ignore_ascii_case(&layer))
+                {
+                    return Err(Failure::LayerTwice { layers: [other.clone(), layer] });
                 }
+                layers.insert(layer, *stiffness);
             }
             Ok(Some(PerPiece::ByLayer(layers)))
         }

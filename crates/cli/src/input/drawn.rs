@@ -120,6 +120,13 @@ fn stiffness(
     let Some(PerPiece::ByLayer(layers)) = given else { return Ok(given) };
     let place = || Place::planar().field("stiffness");
     let fault = |place: &Place, fault| document.error(place, PartFault::Layer(Box::new(fault)));
+    let names: Vec<&String> = layers.keys().collect();
+    for (i, layer) in names.iter().enumerate() {
+        if let Some(other) = names[..i].iter().find(|other| other.eq_ignore_ascii_case(layer)) {
+            let layers = [*other, *layer].map(String::clone);
+            return Err(fault(&place().field(layer), DrawingFault::LayerTwice { layers }));
+        }
+    }
     for (layer, value) in &layers {
         super::part::checked_stiffness(document, &place().field(layer), value.0)?;
         if part.edges_on(layer).next().is_none() {

@@ -10,9 +10,9 @@ use std::thread;
 use std::time::{Duration, Instant};
 
 use clench_testkit::Random;
+use clench_testkit::drawings::{dxf, loop_of, with_tables};
 
 use crate::run::{Folder, command};
-use crate::sketch::{dxf, loop_of, with_tables};
 
 /// No file may keep the command longer, however busy the machine is.
 const LONGEST: Duration = Duration::from_secs(20);

@@ -1,7 +1,8 @@
 //! Drawings that are none of a part: exit code 1, what is wrong and where, nothing written.
 
+use clench_testkit::drawings::{dxf, loop_of};
+
 use crate::run::{Folder, assert_says};
-use crate::sketch::{dxf, loop_of, with_tables};
 
 const MM: Option<u8> = Some(4);
 const SQUARE: [[f64; 2]; 4] = [[0.0, 0.0], [10.0, 0.0], [10.0, 10.0], [0.0, 10.0]];
@@ -17,154 +18,68 @@ fn refused(name: &str, file: &str, content: &str, options: &str) -> String {
     ran.err
 }
 
+/// What a drawing itself can have wrong is tested in `clench-drawing`: here the name of the file
+/// before it, and the help after it.
 #[test]
-fn contours_that_are_none() {
-    let square = || loop_of("A", &SQUARE);
-    let at = |d: f64| loop_of("B", &SQUARE.map(|[x, y]| [x / 4.0 + d, y / 4.0 + d]));
+fn drawings_that_are_none_are_told_with_help() {
+    let square = dxf(MM, &loop_of("A", &SQUARE));
     let open = "LINE A 5 1F 10 0 20 0 11 9 21 0\nLINE A 10 9 20 0 11 9 21 9\n\
                 ARC B 10 0 20 0 40 9 50 91 51 180\nTEXT N 1 X";
-    for (name, entities, pieces) in [
+    let other = dxf(MM, &(loop_of("A", &SQUARE) + "LINE C 10 0 20 0 11 5 21 5"));
+    let no_unit = dxf(None, &loop_of("A", &SQUARE));
+    for (name, file, content, options, pieces) in [
         (
             "open",
-            open.to_owned(),
-            &[
-                "the LINE `1F` at line 28, on layer `A` ends at (0, 0), where nothing goes on",
-                "the nearest other end is 9 away, that of the ARC at line 54, on layer `B`",
-                "left aside: 1 TEXT on layer `N` (no curve)",
-                "--layer",
-            ][..],
-        ),
-        (
-            "branch",
-            square() + "LINE C 10 0 20 0 11 5 21 5",
-            &["three ends meet at (0, 0)", "the LINE at line 28, on layer `A`", "on layer `C`"],
-        ),
-        (
-            "short",
-            square() + "LINE C 10 5 20 5 11 5 21 5",
-            &["layer `C` is not longer than 0.00141"],
-        ),
-        ("second", square() + &at(20.0), &["two parts, expected one", "layer `B` is not inside"]),
-        (
-            "island",
-            square() + &at(2.0) + &loop_of("C", &[[3.0, 3.0], [4.0, 3.0], [3.0, 4.0]]),
-            &["layer `C` is inside the hole with the LINE", "on layer `B`"],
-        ),
-        (
-            "crossing",
-            square() + &at(9.0),
-            &["on layer `A` and the LINE", "on layer `B` cross or touch near"],
-        ),
-        (
-            "bow",
-            loop_of("A", &[[0.0, 0.0], [9.0, 9.0], [9.0, 0.0], [0.0, 8.0]]),
-            &["cross or touch near"],
-        ),
-        (
-            "text",
-            "TEXT N 1 X".to_owned(),
-            &["no curves that could be the outline, only 1 TEXT on layer `N` (no curve)"],
-        ),
-        ("nothing", String::new(), &["no curves that could be the outline"]),
-        (
-            "flat",
-            "LINE A 10 0 20 0 11 9 21 0\nLINE A 10 9 20 0 11 5 21 0\nLINE A 10 5 20 0 11 0 21 0"
-                .to_owned(),
-            &["lie on one line"],
-        ),
-        ("layer", square(), &["nothing on layer `WALL`, expected one of its layers: `A`"]),
-        (
-            "tiny-chord",
-            "CIRCLE A 10 0 20 0 40 5".to_owned(),
-            &["the CIRCLE at line 28", "beyond 100000", "chord of 1e-13"],
-        ),
-    ] {
-        let options = match name {
-            "layer" => " --layer WALL",
-            "tiny-chord" => " --chord 1e-13",
-            _ => "",
-        };
-        let message = refused(name, "part.dxf", &dxf(MM, &entities), options);
-        assert_says(&message, &["part.dxf: "]);
-        assert_says(&message, pieces);
-    }
-}
-
-#[test]
-fn entities_that_are_none() {
-    for (name, entities, piece) in [
-        ("nan", "CIRCLE A 10 nan 20 0 40 5", "line 32: found `nan`, expected a number up to 1e100"),
-        ("huge", "CIRCLE A 10 0 20 0 40 1e300", "line 36: found `1e300`, expected a number"),
-        (
-            "missing",
-            "CIRCLE A 10 0 20 0",
-            "line 28: the CIRCLE has no value with the group code 40",
-        ),
-        ("radius", "CIRCLE A 10 0 20 0 40 -5", "line 28: the CIRCLE has the radius -5"),
-        ("length", "LWPOLYLINE A 90 2 70 1 10 4 20 4 10 4 20 4", "the LWPOLYLINE has no length"),
-        ("degree", "SPLINE A 71 0 10 0 20 0", "the SPLINE has the degree 0, expected one from 1"),
-        ("few", "SPLINE A 71 3 10 0 20 0 10 1 20 1", "has 2 control points, expected at least 4"),
-        ("knots", "SPLINE A 71 1 40 0 40 1 10 0 20 0 10 1 20 1", "2 knots, expected 4 knots"),
-        (
-            "down",
-            "SPLINE A 71 1 40 0 40 0 40 1 40 0 10 0 20 0 10 1 20 1",
-            "do not ascend, at number 3",
-        ),
-        (
-            "weight",
-            "SPLINE A 71 1 40 0 40 0 40 1 40 1 41 1 41 0 10 0 20 0 10 1 20 1",
-            "has the weight 0",
-        ),
-        (
-            "weights",
-            "SPLINE A 71 1 40 0 40 0 40 1 40 1 41 1 10 0 20 0 10 1 20 1",
-            "1 weights for 2",
-        ),
-        (
-            "torn",
-            "SPLINE A 71 1 40 0 40 0 40 1 40 1 40 2 40 2 10 0 20 0 10 1 20 1 10 2 20 2 10 3 20 0",
-            "is torn at knot 3",
-        ),
-        (
-            "fit",
-            "SPLINE A 71 3 11 5 21 5 11 5 21 5",
-            "has 2 points to go through, expected at least 2",
-        ),
-        ("block", "INSERT A 2 NUT 10 0 20 0", "line 28: there is no block `NUT`"),
-        ("rows", "INSERT A 2 A 10 0 20 0 70 30000 71 30000", "more than 100000 entities"),
-        ("within", "INSERT A 2 B 10 0 20 0", "line 26: the block `B` is within itself"),
-    ] {
-        let blocks = "BLOCK - 2 A\nINSERT 0 2 B\nENDBLK -\nBLOCK - 2 B\nINSERT 0 2 A\nENDBLK -";
-        let blocks = if matches!(name, "rows" | "within") { blocks } else { "" };
-        let message = refused(name, "part.dxf", &with_tables(MM, "", blocks, entities), "");
-        assert_says(&message, &["part.dxf: ", piece]);
-    }
-}
-
-#[test]
-fn files_that_are_no_drawings() {
-    let square = dxf(MM, &loop_of("A", &SQUARE));
-    let cut = square.replace("0\nEOF\n", "");
-    for (name, file, content, piece) in [
-        ("cut", "a.dxf", cut.as_str(), "the file ends here without `EOF`: is it cut off?"),
-        ("words", "a.dxf", "a drawing\n", "line 1: found `a drawing`, expected a group code"),
-        ("empty", "a.dxf", " \n", "is empty, expected a drawing"),
-        ("dwg", "a.dxf", "AC1015\0\0", "is a DWG file, expected DXF in text form"),
-        ("binary", "a.dxf", "AutoCAD Binary DXF\r\n\x1a\0", "is a binary DXF file"),
-        ("xml", "a.svg", "<svg><g></svg>", "is not valid XML"),
-        ("html", "a.svg", "<html/>", "has the root element `html`, expected svg"),
-        (
-            "no-unit",
             "a.dxf",
-            &dxf(None, &loop_of("A", &SQUARE)),
-            "does not name its unit of length",
+            dxf(MM, open).as_str(),
+            "",
+            [
+                "a.dxf: the LINE `1F` at line 28, on layer `A` ends at (0, 0), where nothing goes",
+                "left aside: 1 TEXT on layer `N` (no curve)",
+                "help: `layers`, or --layer, takes",
+            ],
         ),
-        ("unitless", "a.dxf", &dxf(Some(0), &loop_of("A", &SQUARE)), "--units mm"),
+        ("branch", "a.dxf", &other, "", ["a.dxf: three ends meet at (0, 0)", "--layer", "`C`"]),
+        (
+            "layer",
+            "a.dxf",
+            &square,
+            " --layer WALL",
+            ["a.dxf: the drawing has nothing on layer `WALL`", "one of its layers: `A`", ""],
+        ),
+        (
+            "chord",
+            "a.dxf",
+            &dxf(MM, "CIRCLE A 10 0 20 0 40 5"),
+            " --chord 1e-13",
+            ["a.dxf: the CIRCLE at line 28", "beyond 100000", "chord of 1e-13"],
+        ),
+        (
+            "binary",
+            "a.dxf",
+            "AutoCAD Binary DXF\r\n\x1a\0",
+            "",
+            ["a.dxf: the file is a binary DXF file", "help: ", "text DXF or SVG"],
+        ),
+        ("xml", "a.svg", "<svg><g></svg>", "", ["a.svg: the file is not valid XML", "", ""]),
+        ("no-unit", "a.dxf", &no_unit, "", ["a.dxf: ", "does not name its unit", "--units mm"]),
+        (
+            "unitless",
+            "a.dxf",
+            &dxf(Some(0), &loop_of("A", &SQUARE)),
+            "",
+            ["does not name its unit of length", "help: give `units`", "--units mm"],
+        ),
+        (
+            "unknown-unit",
+            "a.dxf",
+            &square,
+            " --units cubit",
+            ["the drawing is in mm, which cannot be converted into `cubit`", "um, mm, cm", ""],
+        ),
     ] {
-        assert_says(&refused(name, file, content, ""), &[file, piece]);
+        assert_says(&refused(name, file, content, options), &pieces);
     }
-    let message = refused("unknown-unit", "a.dxf", &square, " --units cubit");
-    assert_says(&message, &["is in mm, which cannot be converted into `cubit`"]);
 }
 
 /// What a part file says of a drawing that is not there, or not as it says.
@@ -186,6 +101,10 @@ fn part_files_that_do_not_fit_their_drawing() {
         (
             "drawing = \"plate.dxf\"\nstiffness = { A = -1 }",
             ["stiffness.A: ", "has to be a positive"],
+        ),
+        (
+            "drawing = \"plate.dxf\"\nstiffness = { a = 1, A = 2 }",
+            ["part.toml:3:19: part.planar.stiffness.a: ", "for layer `A` and one for layer `a`"],
         ),
         (
             "drawing = \"plate.dxf\"\nstiffness = {}",
@@ -240,7 +159,9 @@ fn options_that_do_not_go_with_the_part() {
     for (arguments, piece) in [
         ("plate.dxf", "needs --stiffness <K>"),
         ("plate.dxf --stiffness 1 --stiffness 2", "found several, expected one number, or LAYER=K"),
-        ("plate.dxf --stiffness A=1 --stiffness A=2", "found several"),
+        ("plate.dxf --stiffness A=1 --stiffness 2", "found several"),
+        ("plate.dxf --stiffness A=1 --stiffness A=2", "for layer `A` and one for layer `A`"),
+        ("plate.dxf --stiffness a=1 --stiffness A=2", "for layer `a` and one for layer `A`"),
         ("plate.dxf --stiffness 0", "expected more than 0"),
         ("plate.dxf --stiffness =2", "expected that of a layer"),
         ("plate.dxf --stiffness 1 --units ,N", "expected the name of a unit"),

@@ -33,7 +33,6 @@ mod spatial_optima;
 mod spatial_pictures;
 mod spatial_refusals;
 mod spatial_tips;
-mod svg_drawings;
 mod terminal;
 mod unanswered;
 mod verdicts;

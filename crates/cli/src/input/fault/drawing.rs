@@ -23,6 +23,13 @@ pub(crate) enum DrawingFault {
         quoted(.wanted)
     )]
     UnknownUnit { found: &'static str, wanted: String },
+    /// Two stiffnesses for one layer.
+    #[error(
+        "found a stiffness for layer {} and one for layer {}, expected one: they are the same \
+         layer, whose case does not count",
+        quoted(&.layers[0]), quoted(&.layers[1])
+    )]
+    LayerTwice { layers: [String; 2] },
     /// A layer on which there is no edge.
     #[error("{} has no edge of the outline or a hole", layer_name(.layer))]
     NoEdgeOnLayer { layer: String },

@@ -1,14 +1,14 @@
-//! Parts from SVG drawings.
+//! Parts from SVG files.
 
 #![allow(clippy::unwrap_used, reason = "a test that cannot go on fails")]
 
 use std::f64::consts::PI;
 
+use clench_drawing::{Reason, Sheet, Unit};
 use clench_testkit::assert_close;
-use clench_testkit::cases::{list, number};
+use clench_testkit::drawings::area;
 
-use crate::run::{Folder, assert_says};
-use crate::sketch::{area, contours};
+use crate::sketch::{aside, contours, layers, of_svg};
 
 const PAGE: &str = "xmlns=\"http://www.w3.org/2000/svg\" width=\"120mm\" height=\"80mm\" \
                     viewBox=\"0 0 120 80\"";
@@ -35,7 +35,6 @@ fn assert_extent(name: &str, corners: &[[f64; 2]], expected: [[f64; 2]; 2]) {
 /// The same stadium by each kind of path and shape; y counts upwards from the page's lower end.
 #[test]
 fn shapes_and_paths_are_read_with_y_upwards() {
-    let folder = Folder::new("svg-shapes");
     let stadium = 30.0 * 20.0 + PI * 100.0;
     for (name, content) in [
         ("arcs", "<path d=\"M20 10 h30 A10 10 0 0 1 50 30 H20 A10 10 0 0 1 20 10 Z\"/>"),
@@ -75,26 +74,20 @@ fn shapes_and_paths_are_read_with_y_upwards() {
             width=\"5cm\" height=\"20mm\" rx=\"10mm\"/></g>",
         ),
     ] {
-        folder.write("part.svg", svg(PAGE, content));
-        let (part, report) = contours(&folder, "part.svg --chord 0.0005");
+        let part = contours(&of_svg(&svg(PAGE, content), Some(0.0005)));
         assert_eq!(part.len(), 1, "{name}");
         assert_extent(name, &part[0], [[10.0, 50.0], [60.0, 70.0]]);
         // What chords take of two half circles is less than a ring as wide as they may deviate.
         assert_close(area(&part[0]).abs(), stadium, 62.9 * 0.0005, 1.0, name);
-        assert_eq!(report["units"]["length"].as_str(), Some("mm"), "{name}");
     }
 }
 
 /// Corners are on the true curves: a cubic and a quadratic one by their equations.
 #[test]
 fn bezier_curves_are_flattened_on_themselves() {
-    let folder = Folder::new("svg-bezier");
     // y = x (40 - x) / 20 by a quadratic; closed from below.
-    folder.write(
-        "arch.svg",
-        svg(PAGE, "<path d=\"M0 80 Q20 40 40 80 T80 80 M0 80 L0 110 L80 110 L80 80\"/>"),
-    );
-    let (arch, _) = contours(&folder, "arch.svg --chord 0.01");
+    let arch = "<path d=\"M0 80 Q20 40 40 80 T80 80 M0 80 L0 110 L80 110 L80 80\"/>";
+    let arch = contours(&of_svg(&svg(PAGE, arch), Some(0.01)));
     let curve: Vec<[f64; 2]> = arch[0].iter().copied().filter(|c| c[1] > -29.0).collect();
     assert!(curve.len() > 30, "{}", curve.len());
     for &[x, y] in &curve {
@@ -108,8 +101,8 @@ fn bezier_curves_are_flattened_on_themselves() {
         assert!(step * step / 80.0 <= 0.01 * 2.3, "{step}");
     }
     // x = 3 t (1 - t)^2 30 + .., by a cubic that is its own mirror image.
-    folder.write("bow.svg", svg(PAGE, "<path d=\"M10 70 C10 30 70 30 70 70 Z\"/>"));
-    let (bow, _) = contours(&folder, "bow.svg --chord 0.001");
+    let bow = svg(PAGE, "<path d=\"M10 70 C10 30 70 30 70 70 Z\"/>");
+    let bow = contours(&of_svg(&bow, Some(0.001)));
     assert_extent("bow", &bow[0], [[10.0, 10.0], [70.0, 40.0]]);
     // The area under the arch: 3/20 (a + b) h + .. = 0.6 * 60 * 40 for a width of 60, height of 40.
     assert_close(area(&bow[0]).abs(), 0.6 * 60.0 * 40.0, 0.15, 1.0, "area");
@@ -117,29 +110,27 @@ fn bezier_curves_are_flattened_on_themselves() {
 
 #[test]
 fn units_are_those_of_the_page() {
-    let folder = Folder::new("svg-units");
     let square = "<path d=\"M0 0 H40 V20 H0 Z\"/>";
-    for (page, option, unit, [width, height]) in [
-        ("width=\"120mm\" height=\"60mm\" viewBox=\"0 0 40 20\"", "", "mm", [120.0, 60.0]),
-        ("width=\"4in\" viewBox=\"0 0 40 20\"", "", "in", [4.0, 2.0]),
-        ("width=\"4in\" viewBox=\"0 0 40 20\"", " --units mm", "mm", [101.6, 50.8]),
-        ("width=\"96px\" height=\"48px\" viewBox=\"0 0 40 20\"", "", "mm", [25.4, 12.7]),
-        ("width=\"96px\" height=\"48px\"", "", "mm", [40.0 * 25.4 / 96.0, 20.0 * 25.4 / 96.0]),
-        ("height=\"2cm\" viewBox=\"0 0 40 20\"", "", "cm", [4.0, 2.0]),
-        ("width=\"80\" height=\"40\" viewBox=\"0 0 40 20\"", " --units mm", "mm", [80.0, 40.0]),
-        ("width=\"100%\" height=\"100%\" viewBox=\"0 0 40 20\"", " --units mm", "mm", [40.0, 20.0]),
-        ("viewBox=\"0 0 40 20\"", " --units cm", "cm", [40.0, 20.0]),
+    for (page, unit, [width, height]) in [
+        ("width=\"120mm\" height=\"60mm\" viewBox=\"0 0 40 20\"", Some("mm"), [120.0, 60.0]),
+        ("width=\"4in\" viewBox=\"0 0 40 20\"", Some("in"), [4.0, 2.0]),
+        ("width=\"96px\" height=\"48px\" viewBox=\"0 0 40 20\"", Some("mm"), [25.4, 12.7]),
+        ("width=\"96px\" height=\"48px\"", Some("mm"), [40.0 * 25.4 / 96.0, 20.0 * 25.4 / 96.0]),
+        ("height=\"2cm\" viewBox=\"0 0 40 20\"", Some("cm"), [4.0, 2.0]),
+        ("width=\"80\" height=\"40\" viewBox=\"0 0 40 20\"", None, [80.0, 40.0]),
+        ("width=\"100%\" height=\"100%\" viewBox=\"0 0 40 20\"", None, [40.0, 20.0]),
+        ("viewBox=\"0 0 40 20\"", None, [40.0, 20.0]),
         (
             "width=\"120mm\" height=\"120mm\" viewBox=\"0 0 40 20\" preserveAspectRatio=\"none\"",
-            "",
-            "mm",
+            Some("mm"),
             [120.0, 120.0],
         ),
         // In the middle of a page that is too high.
-        ("width=\"120mm\" height=\"120mm\" viewBox=\"0 0 40 20\"", "", "mm", [120.0, 60.0]),
+        ("width=\"120mm\" height=\"120mm\" viewBox=\"0 0 40 20\"", Some("mm"), [120.0, 60.0]),
     ] {
-        folder.write("part.svg", svg(page, square));
-        let (part, report) = contours(&folder, &format!("part.svg{option}"));
+        let sheet = Sheet::from_svg(svg(page, square).as_bytes(), &[]).unwrap();
+        assert_eq!(sheet.unit().map(Unit::name), unit, "{page}");
+        let part = contours(&sheet.part(1.0, None).unwrap());
         let [low, high] = extent(&part[0]);
         assert_close(high[0] - low[0], width, 1e-12, width, page);
         assert_close(high[1] - low[1], height, 1e-12, height, page);
@@ -150,17 +141,11 @@ fn units_are_those_of_the_page() {
             _ => 0.0,
         };
         assert_close(low[1], expected, 1e-12, 120.0, page);
-        assert_eq!(report["units"]["length"].as_str(), Some(unit), "{page}");
     }
-    folder.write("part.svg", svg("viewBox=\"0 0 40 20\"", square));
-    let ran = folder.run("optimize part.svg --stiffness 1 --fingers 4");
-    assert_eq!(ran.code, Some(1));
-    assert_says(&ran.err, &["part.svg: does not name its unit of length", "--units mm"]);
 }
 
 #[test]
 fn layers_are_groups_and_what_is_not_seen_is_left_aside() {
-    let folder = Folder::new("svg-layers");
     let page = format!("{PAGE} xmlns:inkscape=\"http://www.inkscape.org/namespaces/inkscape\"");
     let content = "<g inkscape:groupmode=\"layer\" inkscape:label=\"Part\" id=\"layer1\">\
         <g id=\"g12\"><rect id=\"plate\" width=\"60\" height=\"40\"/></g></g>\n\
@@ -170,57 +155,19 @@ fn layers_are_groups_and_what_is_not_seen_is_left_aside() {
         <g visibility=\"hidden\"><circle cx=\"10\" cy=\"10\" r=\"5\"/></g>\n\
         <path d=\"M0 0 L60 40\" style=\"stroke:red; stroke-dasharray:4,2\"/>\n\
         <text x=\"3\" y=\"3\">60 x 40</text><image/>";
-    folder.write("part.svg", svg(&page, content));
-    let (part, report) = contours(&folder, "part.svg");
-    assert_eq!(part.len(), 3);
-    let drawing = &report["drawing"];
-    let words = |key: &str| -> Vec<String> {
-        list(&drawing[key]).iter().map(|word| word.as_str().unwrap().to_owned()).collect()
-    };
-    assert_eq!(words("layers"), ["Part", "bores"]);
-    let aside = list(&drawing["left_aside"]);
-    let reasons: Vec<&str> = aside.iter().map(|aside| aside["reason"].as_str().unwrap()).collect();
-    assert_eq!(reasons, ["hidden", "hidden", "no curve", "a broken line", "no curve"]);
-    let (plate, report) = contours(&folder, "part.svg --layer part");
-    assert_eq!(plate.len(), 1);
-    let others: f64 = list(&report["drawing"]["left_aside"])
-        .iter()
-        .filter(|aside| aside["reason"].as_str() == Some("another layer"))
-        .map(|aside| number(&aside["count"]))
-        .sum();
-    assert_close(others, 5.0, 0.0, 1.0, "on other layers");
-}
-
-#[test]
-fn faults_of_svg_files_are_told_with_their_line() {
-    let deep = format!("{}<rect width=\"4\" height=\"4\"/>{}", "<g>".repeat(80), "</g>".repeat(80));
-    for (name, content, piece) in [
-        ("path", "<path d=\"M0 0 L4 x\"/>", "line 2: the data of the path is not valid"),
-        ("path-1e999", "<path d=\"M0 0 L1e999 4 L4 4 Z\"/>", "line 2: "),
-        ("path-empty", "<path d=\"M0 0\"/>", "line 2: the path has no length"),
-        ("unit", "<circle r=\"4em\"/>", "line 2: found `4em`, expected a length"),
-        ("nan", "<circle r=\"nan\"/>", "line 2: found `nan`, expected a length"),
-        ("radius", "\n<circle r=\"-4\"/>", "line 3: the circle has no length"),
-        ("transform", "<g transform=\"turn(5)\"/>", "line 2: found `turn(5)`, expected transform"),
-        ("use", "<use href=\"#none\"/>", "line 2: there is no element `#none`"),
-        ("link", "<use href=\"other.svg#a\"/>", "there is no element `other.svg#a`"),
-        (
-            "loop",
-            "<g id=\"a\"><use href=\"#a\"/></g>",
-            "nested more than 64 deep, or in themselves",
-        ),
-        ("deep", deep.as_str(), "nested more than 64 deep"),
-        (
-            "open",
-            "<path id=\"edge\" d=\"M0 0 L40 0 L40 20\"/>",
-            "the path `edge` at line 2, on no layer ends at (0, 80)",
-        ),
-    ] {
-        let folder = Folder::new(&format!("svg-refused-{name}"));
-        folder.write("part.svg", svg(PAGE, content));
-        let ran = folder.run("optimize part.svg --stiffness 1 --fingers 4 --svg out.svg");
-        assert_eq!(folder.names(), ["part.svg"], "{name}");
-        assert_eq!((ran.code, ran.out.as_str()), (Some(1), ""), "{name}: {}", ran.err);
-        assert_says(&ran.err, &["part.svg: ", piece]);
-    }
+    let text = svg(&page, content);
+    let part = of_svg(&text, None);
+    assert_eq!((contours(&part).len(), layers(&part)), (3, vec!["Part", "bores"]));
+    let expected = [
+        "1 circle on no layer (hidden)",
+        "1 circle on layer `old` (hidden)",
+        "1 image on no layer (no curve)",
+        "1 path on no layer (a broken line)",
+        "1 text on no layer (no curve)",
+    ];
+    assert_eq!(aside(&part), expected);
+    let plate = Sheet::from_svg(text.as_bytes(), &["part"]).unwrap().part(1.0, None).unwrap();
+    assert_eq!((contours(&plate).len(), layers(&plate)), (1, vec!["Part"]));
+    let others = plate.left_aside().iter().filter(|aside| aside.reason == Reason::OtherLayer);
+    assert_eq!(others.map(|aside| aside.count).sum::<usize>(), 5);
 }

@@ -1,0 +1,251 @@
+//! Drawings that are none of a part: what is wrong, and where.
+
+#![allow(clippy::unwrap_used, clippy::panic, reason = "a test that cannot go on fails")]
+
+use clench_drawing::{DrawingError, Sheet};
+use clench_shape::PolygonError;
+use clench_testkit::drawings::{dxf, loop_of, with_tables};
+
+const PAGE: &str = "xmlns=\"http://www.w3.org/2000/svg\" width=\"120mm\" height=\"80mm\" \
+                    viewBox=\"0 0 120 80\"";
+const MM: Option<u8> = Some(4);
+const SQUARE: [[f64; 2]; 4] = [[0.0, 0.0], [10.0, 0.0], [10.0, 10.0], [0.0, 10.0]];
+
+/// The error of a sheet, or else of the part on it.
+fn error(sheet: Result<Sheet, DrawingError>, chord: Option<f64>) -> DrawingError {
+    match sheet.and_then(|sheet| sheet.part(1.0, chord)) {
+        Err(error) => error,
+        Ok(part) => panic!("expected an error, found {part:?}"),
+    }
+}
+
+fn assert_says(error: &DrawingError, pieces: &[&str]) {
+    let message = error.to_string();
+    for piece in pieces {
+        assert!(message.contains(piece), "`{piece}` is missing in: {message}");
+    }
+}
+
+#[test]
+fn contours_that_are_none() {
+    let square = || loop_of("A", &SQUARE);
+    let at = |d: f64| loop_of("B", &SQUARE.map(|[x, y]| [x / 4.0 + d, y / 4.0 + d]));
+    let open = "LINE A 5 1F 10 0 20 0 11 9 21 0\nLINE A 10 9 20 0 11 9 21 9\n\
+                ARC B 10 0 20 0 40 9 50 91 51 180\nTEXT N 1 X";
+    for (name, entities, pieces) in [
+        (
+            "open",
+            open.to_owned(),
+            &[
+                "the LINE `1F` at line 28, on layer `A` ends at (0, 0), where nothing goes on",
+                "the nearest other end is 9 away, that of the ARC at line 54, on layer `B`",
+                "left aside: 1 TEXT on layer `N` (no curve)",
+            ][..],
+        ),
+        (
+            "branch",
+            square() + "LINE C 10 0 20 0 11 5 21 5",
+            &["three ends meet at (0, 0)", "the LINE at line 28, on layer `A`", "on layer `C`"],
+        ),
+        (
+            "short",
+            square() + "LINE C 10 5 20 5 11 5 21 5",
+            &["layer `C` is not longer than 0.00141"],
+        ),
+        ("second", square() + &at(20.0), &["two parts, expected one", "layer `B` is not inside"]),
+        (
+            "island",
+            square() + &at(2.0) + &loop_of("C", &[[3.0, 3.0], [4.0, 3.0], [3.0, 4.0]]),
+            &["layer `C` is inside the hole with the LINE", "on layer `B`"],
+        ),
+        (
+            "crossing",
+            square() + &at(9.0),
+            &["on layer `A` and the LINE", "on layer `B` cross or touch near"],
+        ),
+        (
+            "bow",
+            loop_of("A", &[[0.0, 0.0], [9.0, 9.0], [9.0, 0.0], [0.0, 8.0]]),
+            &["cross or touch near"],
+        ),
+        (
+            "text",
+            "TEXT N 1 X".to_owned(),
+            &["no curves that could be the outline, only 1 TEXT on layer `N` (no curve)"],
+        ),
+        ("point", "LINE A 10 3 20 4 11 3 21 4".to_owned(), &["has the size 0e0, expected a"]),
+        ("nothing", String::new(), &["no curves that could be the outline"]),
+        (
+            "flat",
+            "LINE A 10 0 20 0 11 9 21 0\nLINE A 10 9 20 0 11 5 21 0\nLINE A 10 5 20 0 11 0 21 0"
+                .to_owned(),
+            &["lie on one line"],
+        ),
+        ("layer", square(), &["nothing on layer `WALL`, expected one of its layers: `A`"]),
+        (
+            "tiny-chord",
+            "CIRCLE A 10 0 20 0 40 5".to_owned(),
+            &["the CIRCLE at line 28", "beyond 100000", "chord of 1e-13"],
+        ),
+    ] {
+        let layers: &[&str] = if name == "layer" { &["WALL"] } else { &[] };
+        let chord = (name == "tiny-chord").then_some(1e-13);
+        assert_says(&error(Sheet::from_dxf(dxf(MM, &entities).as_bytes(), layers), chord), pieces);
+    }
+}
+
+#[test]
+fn entities_that_are_none() {
+    for (name, entities, piece) in [
+        ("nan", "CIRCLE A 10 nan 20 0 40 5", "line 32: found `nan`, expected a number up to 1e100"),
+        ("huge", "CIRCLE A 10 0 20 0 40 1e300", "line 36: found `1e300`, expected a number"),
+        (
+            "missing",
+            "CIRCLE A 10 0 20 0",
+            "line 28: the CIRCLE has no value with the group code 40",
+        ),
+        ("radius", "CIRCLE A 10 0 20 0 40 -5", "line 28: the CIRCLE has the radius -5"),
+        ("length", "LWPOLYLINE A 90 2 70 1 10 4 20 4 10 4 20 4", "the LWPOLYLINE has no length"),
+        ("degree", "SPLINE A 71 0 10 0 20 0", "the SPLINE has the degree 0, expected one from 1"),
+        ("few", "SPLINE A 71 3 10 0 20 0 10 1 20 1", "has 2 control points, expected at least 4"),
+        ("knots", "SPLINE A 71 1 40 0 40 1 10 0 20 0 10 1 20 1", "2 knots, expected 4 knots"),
+        (
+            "down",
+            "SPLINE A 71 1 40 0 40 0 40 1 40 0 10 0 20 0 10 1 20 1",
+            "do not ascend, at number 3",
+        ),
+        (
+            "weight",
+            "SPLINE A 71 1 40 0 40 0 40 1 40 1 41 1 41 0 10 0 20 0 10 1 20 1",
+            "has the weight 0",
+        ),
+        (
+            "weights",
+            "SPLINE A 71 1 40 0 40 0 40 1 40 1 41 1 10 0 20 0 10 1 20 1",
+            "1 weights for 2",
+        ),
+        (
+            "torn",
+            "SPLINE A 71 1 40 0 40 0 40 1 40 1 40 2 40 2 10 0 20 0 10 1 20 1 10 2 20 2 10 3 20 0",
+            "is torn at knot 3",
+        ),
+        (
+            "fit",
+            "SPLINE A 71 3 11 5 21 5 11 5 21 5",
+            "has 2 points to go through, expected at least 2",
+        ),
+        ("block", "INSERT A 2 NUT 10 0 20 0", "line 28: there is no block `NUT`"),
+        ("rows", "INSERT A 2 A 10 0 20 0 70 30000 71 30000", "more than 100000 entities"),
+        ("within", "INSERT A 2 B 10 0 20 0", "line 26: the block `B` is within itself"),
+    ] {
+        let blocks = "BLOCK - 2 A\nINSERT 0 2 B\nENDBLK -\nBLOCK - 2 B\nINSERT 0 2 A\nENDBLK -";
+        let blocks = if matches!(name, "rows" | "within") { blocks } else { "" };
+        let text = with_tables(MM, "", blocks, entities);
+        assert_says(&error(Sheet::from_dxf(text.as_bytes(), &[]), None), &[piece]);
+    }
+}
+
+#[test]
+fn files_that_are_no_drawings() {
+    let square = dxf(MM, &loop_of("A", &SQUARE));
+    let cut = square.replace("0\nEOF\n", "");
+    for (content, piece) in [
+        (cut.as_str(), "the file ends here without `EOF`: is it cut off?"),
+        ("a drawing\n", "line 1: found `a drawing`, expected a group code"),
+        (" \n", "the file is empty, expected a drawing"),
+        ("AC1015\0\0", "is a DWG file, expected DXF in text form"),
+        ("AutoCAD Binary DXF\r\n\x1a\0", "is a binary DXF file"),
+    ] {
+        assert_says(&error(Sheet::from_dxf(content.as_bytes(), &[]), None), &[piece]);
+    }
+    for (content, piece) in [
+        (&b"<svg><g></svg>"[..], "is not valid XML: expected 'g' tag, not 'svg' at 1:9"),
+        (b"<html/>", "has the root element `html`, expected svg"),
+        (b"<svg>\xff</svg>", "byte 5 is not UTF-8, expected an SVG file in UTF-8"),
+    ] {
+        assert_says(&error(Sheet::from_svg(content, &[]), None), &[piece]);
+    }
+    let most = 1 << 25;
+    for size in [most, most + 1] {
+        let found = error(Sheet::from_dxf(&vec![b' '; size], &[]), None);
+        let most = most as u64;
+        match found {
+            DrawingError::Empty => assert_eq!(size as u64, most),
+            DrawingError::TooLarge { size: said, most: allowed } => {
+                assert_eq!((said, allowed), (most + 1, most));
+            }
+            other => panic!("{other:?}"),
+        }
+    }
+}
+
+/// What is shown of a long text of the file is one short line.
+#[test]
+fn texts_of_the_file_are_cut_and_escaped_in_messages() {
+    let text = dxf(MM, &loop_of("A", &SQUARE)).replace("LINE\n8\nA\n", "BOX\n8\nA\u{1b}[31m\n");
+    let found = error(Sheet::from_dxf(text.as_bytes(), &[]), None).to_string();
+    assert_eq!(
+        found,
+        "the drawing has no curves that could be the outline, only 4 BOX on layer `A\\u{1b}[31m` \
+         (no curve)"
+    );
+    let long = "x".repeat(1000);
+    let found = error(Sheet::from_dxf(long.as_bytes(), &[]), None).to_string();
+    let short = format!("line 1: found `{}…`, expected a group code", &long[..40]);
+    assert!(found.starts_with(&short), "{found}");
+}
+
+#[test]
+fn scales_and_chords_are_positive() {
+    let sheet = Sheet::from_dxf(dxf(MM, &loop_of("A", &SQUARE)).as_bytes(), &[]).unwrap();
+    for bad in [0.0, -1.0, f64::NAN, f64::INFINITY] {
+        let found = sheet.part(bad, None).unwrap_err();
+        assert!(matches!(found, DrawingError::Scale { .. }), "{bad}: {found}");
+        let found = sheet.part(1.0, Some(bad)).unwrap_err();
+        assert!(matches!(found, DrawingError::Chord { .. }), "{bad}: {found}");
+    }
+    let found = sheet.part(1e308, None).unwrap_err().to_string();
+    assert_eq!(found, "the drawing has the size inf, expected a finite one above 0");
+    let found = sheet.part(1e200, None).unwrap_err();
+    assert!(matches!(found, DrawingError::Outline(PolygonError::TooLarge { .. })), "{found}");
+}
+
+#[test]
+fn faults_of_svg_files_are_told_with_their_line() {
+    let deep = format!("{}<rect width=\"4\" height=\"4\"/>{}", "<g>".repeat(80), "</g>".repeat(80));
+    for (name, content, piece) in [
+        ("path", "<path d=\"M0 0 L4 x\"/>", "line 2: the data of the path is not valid"),
+        (
+            "path-1e999",
+            "<path d=\"M0 0 L1e999 4 L4 4 Z\"/>",
+            "line 2: the data of the path is not valid",
+        ),
+        (
+            "far",
+            "<g transform=\"scale(1e90)\"><path d=\"M0 0 L1e20 4 L4 4 Z\"/></g>",
+            "line 2: the path has coordinates beyond 1e100",
+        ),
+        ("path-empty", "<path d=\"M0 0\"/>", "line 2: the path has no length"),
+        ("unit", "<circle r=\"4em\"/>", "line 2: found `4em`, expected a length"),
+        ("nan", "<circle r=\"nan\"/>", "line 2: found `nan`, expected a length"),
+        ("radius", "\n<circle r=\"-4\"/>", "line 3: the circle has no length"),
+        ("transform", "<g transform=\"turn(5)\"/>", "line 2: found `turn(5)`, expected transform"),
+        ("use", "<use href=\"#none\"/>", "line 2: there is no element `#none`"),
+        ("link", "<use href=\"other.svg#a\"/>", "there is no element `other.svg#a`"),
+        (
+            "loop",
+            "<g id=\"a\"><use href=\"#a\"/></g>",
+            "nested more than 64 deep, or in themselves",
+        ),
+        ("deep", deep.as_str(), "nested more than 64 deep"),
+        (
+            "open",
+            "<path id=\"edge\" d=\"M0 0 L40 0 L40 20\"/>",
+            "the path `edge` at line 2, on no layer ends at (0, 80)",
+        ),
+    ] {
+        let text = format!("<svg {PAGE}>\n{content}\n</svg>\n");
+        let found = error(Sheet::from_svg(text.as_bytes(), &[]), None);
+        assert!(found.to_string().contains(piece), "{name}: {found}");
+    }
+}
