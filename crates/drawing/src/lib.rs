@@ -28,8 +28,8 @@
 //! let bore = PI * 0.25;
 //! assert!((polygon.area() - (48.0 - bore)).abs() < PI * 0.001);
 //!
-//! let names: Vec<_> = part.edges().map(|source| source.name.as_deref()).collect();
-//! assert_eq!(names[..5], [Some("plate"), Some("plate"), Some("plate"), Some("plate"), Some("bore")]);
+//! let names: Vec<_> = part.edges().filter_map(|source| source.name.as_deref()).collect();
+//! assert_eq!(names[..5], ["plate", "plate", "plate", "plate", "bore"]);
 //! assert_eq!(part.left_aside()[0].to_string(), "1 text on no layer (no curve)");
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
@@ -37,9 +37,9 @@
 //! # When not to use it
 //!
 //! This is no viewer: text, dimensions, hatches, styles and whatever is not seen are left aside,
-//! and the curves themselves are gone once they are edges. Nor does it guess: an outline that does
-//! not close up to small gaps, branches or crosses itself is refused, with curves and place. Of DXF the
-//! text form is read, and what is in the plane.
+//! and the curves themselves are gone once they are edges. Nor does it guess: an outline that
+//! does not close up to small gaps, branches or crosses itself is refused, with curves and place.
+//! Of DXF the text form is read, and what is in the plane.
 
 mod sheet;
 
