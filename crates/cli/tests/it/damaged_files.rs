@@ -10,8 +10,9 @@ use std::thread;
 use std::time::{Duration, Instant};
 
 use clench_testkit::Random;
-use clench_testkit::drawings::{dxf, loop_of, with_tables};
+use clench_testkit::drawings::with_tables;
 
+use crate::hand_made_files::{Ending, HandMade, hand_made};
 use crate::run::{Folder, command};
 
 /// No file may keep the command longer, however busy the machine is.
@@ -28,11 +29,21 @@ const CHANGES: usize = 26;
 const ODD: [&str; 10] =
     ["nan", "inf", "-inf", "1e999", "-1e308", "1e-320", "", "0x1F", "1,5", "999999999999999999999"];
 
-type Case = (String, Vec<u8>);
+/// A file, and how the command has to end on it, if that is known.
+struct Case {
+    name: String,
+    content: Vec<u8>,
+    ending: Option<Ending>,
+}
 
 #[test]
 fn damaged_files_end_in_one_clear_error() {
-    let mut cases = hand_made();
+    let by_hand = |HandMade { name, content, ending }: HandMade| Case {
+        name: name.to_owned(),
+        content,
+        ending: Some(ending),
+    };
+    let mut cases: Vec<Case> = hand_made().into_iter().map(by_hand).collect();
     for (name, good) in good_files() {
         cases.extend(damaged(&name, &good));
     }
@@ -40,8 +51,8 @@ fn damaged_files_end_in_one_clear_error() {
     let next = AtomicUsize::new(0);
     let run_all = || {
         let mut refused = 0;
-        while let Some((name, content)) = cases.get(next.fetch_add(1, Ordering::Relaxed)) {
-            refused += usize::from(run(name, content));
+        while let Some(case) = cases.get(next.fetch_add(1, Ordering::Relaxed)) {
+            refused += usize::from(run(case));
         }
         refused
     };
@@ -54,7 +65,7 @@ fn damaged_files_end_in_one_clear_error() {
 }
 
 /// Runs the command on a file, and says whether it was refused.
-fn run(name: &str, content: &[u8]) -> bool {
+fn run(Case { name, content, ending }: &Case) -> bool {
     let folder = Folder::new(&format!("damaged-{name}"));
     folder.write(name, content);
     let alone = if name.ends_with("toml") { "" } else { " --stiffness 5 --units mm" };
@@ -84,14 +95,19 @@ fn run(name: &str, content: &[u8]) -> bool {
     if refused {
         assert_eq!(message.matches("  × ").count(), 1, "{name}: {message}");
         assert!(output.stdout.is_empty(), "{name}");
-        assert_eq!(folder.names(), [name], "{name}");
+        assert_eq!(folder.names(), [name.as_str()], "{name}");
+    }
+    if let Some(Ending { code: expected, says }) = ending {
+        assert_eq!(code, Some(*expected), "{name}: {message}");
+        let said = message + &String::from_utf8(output.stdout).unwrap();
+        assert!(said.contains(says), "{name}: `{says}` is missing in: {said}");
     }
     std::fs::remove_dir_all(folder.path("")).unwrap();
     refused
 }
 
 /// A good file of each kind.
-fn good_files() -> Vec<Case> {
+fn good_files() -> Vec<(String, Vec<u8>)> {
     let plate = include_bytes!("../../../../parts/plate.dxf").to_vec();
     let block = "BLOCK - 2 B 10 0 20 0\nCIRCLE 0 10 4 20 4 40 1\nENDBLK -";
     let curves = "LWPOLYLINE A 90 4 70 1 10 0 20 0 10 40 20 0 42 1 10 40 20 10 10 0 20 10\n\
@@ -155,7 +171,7 @@ fn damaged(name: &str, good: &[u8]) -> Vec<Case> {
     let mut random = Random::new(good.len() as u64);
     let mut cases = Vec::new();
     let mut keep = |kind: &str, i: usize, content: Vec<u8>| {
-        cases.push((format!("{kind}{i}-{name}"), content));
+        cases.push(Case { name: format!("{kind}{i}-{name}"), content, ending: None });
     };
     for i in 0..CUTS {
         keep("cut", i, good[..random.below(good.len())].to_vec());
@@ -196,88 +212,4 @@ fn odd_number(content: &[u8], odd: &str, random: &mut Random) -> Vec<u8> {
         end += 1;
     }
     [&content[..start], odd.as_bytes(), &content[end..]].concat()
-}
-
-fn hand_made() -> Vec<Case> {
-    let square = |size: f64, at: f64| {
-        let corners = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 0.6]];
-        loop_of("A", &corners.map(|p| p.map(|x| x * size + at)))
-    };
-    let many = |count: usize, line: &str| line.repeat(count);
-    let svg = |content: &str| {
-        format!("<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 9 9\">{content}</svg>")
-    };
-    let mut laughs = "<g id=\"l0\"><circle r=\"1\"/></g>".to_owned();
-    for i in 1..20 {
-        let below = many(10, &format!("<use href=\"#l{}\"/>", i - 1));
-        write!(laughs, "<g id=\"l{i}\">{below}</g>").unwrap();
-    }
-    let mut entities = "<!DOCTYPE svg [<!ENTITY a \"lol\">".to_owned();
-    let mut blocks = "BLOCK - 2 B0\nCIRCLE 0 10 0 20 0 40 1\nENDBLK -\n".to_owned();
-    for i in 1..14 {
-        let (letter, before) = (char::from(b'a' + i), char::from(b'a' + i - 1));
-        let below = many(10, &format!("&{before};"));
-        write!(entities, "<!ENTITY {letter} \"{below}\">").unwrap();
-        let inserts = many(10, &format!("INSERT 0 2 B{} 10 1 20 1\n", i - 1));
-        write!(blocks, "BLOCK - 2 B{i}\n{inserts}ENDBLK -\n").unwrap();
-    }
-    let entities = format!("{entities}]><svg><text>&j;</text></svg>");
-    let deep = format!("{}{}", many(100_000, "<g>"), many(100_000, "</g>"));
-    let zigzag = numbered(0..3000, |i| format!("L{} {} ", i, i % 2));
-    let bomb = numbered(0..30_000, |i| format!("CIRCLE A 10 {i} 20 0 40 0.1\n"));
-    let star = numbered(0..9000, |i| format!("LINE A 10 0 20 0 11 {i} 21 9\n"));
-    let nest = numbered(1..2000, |i| format!("CIRCLE A 10 0 20 0 40 {i}\n"));
-    let noise: Vec<u8> =
-        (0..9000_u32).map(|i| i.wrapping_mul(2_654_435_761).to_le_bytes()[2]).collect();
-    let unit = Some(4);
-    let far: String = (0..64).fold(String::new(), |all, _| all + "[");
-    let list: [(&str, Vec<u8>); 34] = [
-        ("empty.dxf", Vec::new()),
-        ("empty.svg", Vec::new()),
-        ("empty.stl", Vec::new()),
-        ("empty.obj", Vec::new()),
-        ("empty.toml", Vec::new()),
-        ("noise.dxf", noise.clone()),
-        ("noise.svg", noise.clone()),
-        ("noise.stl", noise.clone()),
-        ("noise.obj", noise.clone()),
-        ("noise.toml", noise.clone()),
-        ("tiny.dxf", dxf(unit, &square(1e-9, 0.0)).into_bytes()),
-        ("large.dxf", dxf(unit, &square(1e9, 0.0)).into_bytes()),
-        ("away.dxf", dxf(unit, &square(1e-3, 1e9)).into_bytes()),
-        ("vast.dxf", dxf(unit, &square(1e99, 0.0)).into_bytes()),
-        ("subnormal.dxf", dxf(unit, &square(1e-310, 0.0)).into_bytes()),
-        ("bomb.dxf", dxf(unit, &bomb).into_bytes()),
-        ("nest.dxf", dxf(unit, &nest).into_bytes()),
-        ("spots.dxf", dxf(unit, &many(40_000, "LINE A 10 0 20 0 11 1 21 0\n")).into_bytes()),
-        ("star.dxf", dxf(unit, &star).into_bytes()),
-        ("blocks.dxf", with_tables(unit, "", &blocks, "INSERT A 2 B13 10 0 20 0").into_bytes()),
-        (
-            "rows.dxf",
-            with_tables(unit, "", &blocks, "INSERT A 2 B1 10 0 20 0 70 9999999999 71 3")
-                .into_bytes(),
-        ),
-        (
-            "knots.dxf",
-            dxf(unit, &format!("SPLINE A 71 3 {}", many(9000, "40 0 10 1 20 2 "))).into_bytes(),
-        ),
-        ("degree.dxf", dxf(unit, "SPLINE A 71 99999999999 10 0 20 0").into_bytes()),
-        ("thin.dxf", dxf(unit, "ELLIPSE A 10 0 20 0 11 1e9 21 0 40 1e-12").into_bytes()),
-        ("codes.dxf", many(50_000, "0\nLINE\n").into_bytes()),
-        ("laughs.svg", svg(&format!("{laughs}<use href=\"#l19\"/>")).into_bytes()),
-        ("entities.svg", entities.into_bytes()),
-        ("deep.svg", svg(&deep).into_bytes()),
-        ("unclosed.svg", many(100_000, "<g>").into_bytes()),
-        ("zigzag.svg", svg(&format!("<path d=\"M0 0 {zigzag} L3000 90 L0 90 Z\"/>")).into_bytes()),
-        ("latin.svg", b"<svg><text>\xe9\xff</text></svg>".to_vec()),
-        ("claims.stl", [vec![0; 80], u32::MAX.to_le_bytes().to_vec(), vec![0; 50]].concat()),
-        ("numbers.obj", b"v 1e999 nan 0\nv 0 0 0\nv 1 0 0\nf 1 2 99999999999999999999\n".to_vec()),
-        ("deep.toml", format!("[part]\nplanar = {}", far.repeat(400)).into_bytes()),
-    ];
-    list.into_iter().map(|(name, content)| (name.to_owned(), content)).collect()
-}
-
-/// A text for each number, one after the other.
-fn numbered(range: std::ops::Range<u32>, text: impl Fn(u32) -> String) -> String {
-    range.map(text).collect::<Vec<_>>().concat()
 }

@@ -11,6 +11,7 @@ mod drawing_refusals;
 mod drawings;
 mod examples;
 mod fingers;
+mod hand_made_files;
 mod holes;
 mod hostile;
 mod load_cases;
