@@ -177,10 +177,12 @@ impl Line<'_> {
         let left = without(left, walls().filter_map(|wall| self.meets(wall)));
         // The center of a finger that is a point, or hardly more, gets in and out at the edges.
         let left = without(left, walls().filter_map(|wall| self.crosses(wall)).map(|at| [at; 2]));
-        let enclosed = |&[from, to]: &[f64; 2]| {
-            let middle = self.at(0.5 * (from + to));
-            surround(walls(), middle) && !walls().any(|wall| touches(wall, middle))
-        };
+        // It comes from outside of the part, whatever its size: a little there is clear of edges
+        // that the region shares with the part.
+        let size = walls().map(size).fold(self.start().max_abs(), f64::max);
+        let outward = self.edge.inward_normal() * (-2.0 * TOUCHING * size);
+        let enclosed =
+            |&[from, to]: &[f64; 2]| surround(walls(), self.at(0.5 * (from + to)) + outward);
         joined(left.into_iter().filter(|stretch| !enclosed(stretch)).collect())
     }
 
@@ -193,14 +195,6 @@ impl Line<'_> {
         let slack = TOUCHING * (size([start, end]) + self.start().max_abs());
         (-slack <= along && along <= run.norm() + slack).then_some(at)
     }
-}
-
-/// Whether a point is on a wall, to rounding.
-fn touches([start, end]: [Vector<2>; 2], point: Vector<2>) -> bool {
-    let (run, way) = (end - start, point - start);
-    let length = run.norm();
-    let along = (run.dot(way) / length).clamp(0.0, length);
-    (way - run * (along / length)).norm() <= TOUCHING * size([start, end])
 }
 
 /// The largest coordinate of a wall.

@@ -179,32 +179,37 @@ fn regions_are_kept_out_of_from_inside_and_outside() {
     assert_stretches(&part.accessible(&corner).unwrap()[0], &[[5.0, 10.0]]);
 }
 
-/// A point that touches a region is not in it, on whichever side, and walls that it only would
-/// cross if they were longer leave its stretches whole. Less than rounding is no radius.
+/// A pointed finger is the limit of thin ones: what rests on an edge from outside is in its way,
+/// what rests on it from inside is not, on whichever side. Walls that it would only cross if they
+/// were longer leave its stretches whole.
 #[test]
-fn points_may_touch_what_they_are_kept_out_of() {
-    for (offset, radius) in [(0.0, 0.0), (1e6, 0.0), (0.0, 1e-16), (1e6, 1e-9)] {
+fn points_come_from_outside_of_the_part() {
+    for (offset, radius) in [(0.0, 0.0), (1e6, 0.0), (0.0, 1e-16), (1e6, 1e-9), (0.0, 1e-13)] {
         let moved = |corners: &[[f64; 2]]| -> Vec<[f64; 2]> {
             corners.iter().map(|c| [c[0] + offset, c[1] - offset]).collect()
         };
         let part = Polygon::new(&moved(&square(0.0, 10.0))).unwrap();
-        let beside = [
-            [[3.0, -5.0], [7.0, -5.0], [7.0, 0.0], [3.0, 0.0]],
-            [[10.0, 3.0], [15.0, 3.0], [15.0, 7.0], [10.0, 7.0]],
-            [[3.0, 10.0], [7.0, 10.0], [7.0, 15.0], [3.0, 15.0]],
-            [[-5.0, 3.0], [0.0, 3.0], [0.0, 7.0], [-5.0, 7.0]],
-        ];
-        let region = |corners: &[[f64; 2]; 4]| Polygon::new(&moved(corners)).unwrap();
-        let tip = DiscTip::new(radius).unwrap();
-        let all = tip.clone().keeping_out(beside.iter().map(region).collect());
-        for stretches in part.accessible(&all).unwrap() {
-            assert_eq!(stretches, [[0.0, 10.0]], "{offset} {radius}");
-        }
-        for (side, corners) in beside.into_iter().enumerate() {
-            let corners = corners.map(|corner| corner.map(|x| 0.75 * x + 1.25));
-            let within = part.accessible(&tip.clone().keeping_out(vec![region(&corners)])).unwrap();
-            assert_stretches(&within[side], &[[0.0, 3.5], [6.5, 10.0]]);
-            assert!((0..4).filter(|&e| e != side).all(|e| within[e] == [[0.0, 10.0]]));
+        let beside = |y: [f64; 2]| {
+            let region = [[3.0, y[0]], [7.0, y[0]], [7.0, y[1]], [3.0, y[1]]];
+            let turned = |times: usize| {
+                (0..times).fold(region, |r, _| r.map(|[x, y]: [f64; 2]| [10.0 - y, x]))
+            };
+            [0, 1, 2, 3].map(turned)
+        };
+        let stretches = |corners: &[[f64; 2]; 4]| {
+            let region = Polygon::new(&moved(corners)).unwrap();
+            part.accessible(&DiscTip::new(radius).unwrap().keeping_out(vec![region])).unwrap()
+        };
+        for side in 0..4 {
+            for blocking in [[-5.0, 0.0], [-5.0, 2.0]] {
+                let found = stretches(&beside(blocking)[side]);
+                assert_stretches(&found[side], &[[0.0, 3.0], [7.0, 10.0]]);
+                assert!((0..4).filter(|&e| e != side).all(|e| found[e] == [[0.0, 10.0]]));
+            }
+            for free in [[0.0, 2.0], [2.0, 5.0], [-5.0, -1.0]] {
+                let found = stretches(&beside(free)[side]);
+                assert!(found.iter().all(|edge| *edge == [[0.0, 10.0]]), "{offset} {found:?}");
+            }
         }
     }
 }
