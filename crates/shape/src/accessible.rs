@@ -13,6 +13,10 @@ use crate::{AccessError, DiscTip, Edge, Plate, Polygon};
 /// in a groove of its own width touches both sides.
 const TOUCHING: f64 = 64.0 * f64::EPSILON;
 
+/// Discs of this radius, in units of the largest coordinate, stand for larger ones, from which they
+/// differ by half the inverse: less than what the rounding of their own centers hides.
+const STRAIGHTEST: f64 = 1e7;
+
 /// Holes are counted from that at the offset; above this numbers are no longer exact.
 const LARGEST_INDEX: f64 = 1e15;
 
@@ -42,10 +46,11 @@ impl Polygon {
     /// ```
     pub fn accessible(&self, tip: &DiscTip) -> Result<Vec<Vec<[f64; 2]>>, AccessError> {
         let walls = Walls::of(self);
+        let radius = self.radius_beside(tip);
         let edges = self.edges().iter().enumerate();
         edges
             .map(|(number, edge)| {
-                let line = Line { edge, radius: tip.radius() };
+                let line = Line { edge, radius };
                 let mut left = vec![[0.0, edge.length()]];
                 if tip.radius() > 0.0 {
                     let taken = walls.near(&line).filter(|&wall| !walls.beside(wall, number));
@@ -60,6 +65,14 @@ impl Polygon {
                 }
             })
             .collect()
+    }
+
+    /// The radius of a tip, or of a smaller one that is as straight beside the part.
+    fn radius_beside(&self, tip: &DiscTip) -> f64 {
+        let corners = tip.keep_out().iter().flat_map(Self::corners).chain(self.corners());
+        let size = corners.fold(0.0_f64, |size, corner| size.max(corner.max_abs()));
+        // Over a plate it matters where the center is.
+        if tip.plate().is_some() { tip.radius() } else { tip.radius().min(STRAIGHTEST * size) }
     }
 }
 

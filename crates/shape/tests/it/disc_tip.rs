@@ -164,6 +164,19 @@ fn convex_outlines_leave_all_room_whatever_their_size_and_place() {
 }
 
 #[test]
+fn discs_may_be_of_any_size() {
+    let corner = [[0.0, 0.0], [6.0, 0.0], [6.0, 2.0], [2.0, 2.0], [2.0, 6.0], [0.0, 6.0]];
+    let part = Polygon::new(&corner).unwrap();
+    let thin = part.accessible(&DiscTip::new(1e-9).unwrap()).unwrap();
+    assert!(thin.iter().all(|stretches| stretches.len() == 1));
+    for radius in [1e9, 1e100, 1e155, 1e300, f64::MAX] {
+        let stretches = part.accessible(&DiscTip::new(radius).unwrap()).unwrap();
+        let left: Vec<_> = stretches.iter().map(Vec::len).collect();
+        assert_eq!(left[2..4], [0, 0], "{radius}: {stretches:?}");
+    }
+}
+
+#[test]
 fn regions_are_kept_out_of_from_inside_and_outside() {
     let part = Polygon::new(&square(0.0, 10.0)).unwrap();
     let region = |low, high| Polygon::new(&square(low, high)).unwrap();
