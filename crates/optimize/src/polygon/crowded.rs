@@ -112,7 +112,8 @@ impl Crowded<'_> {
         let supports: [Support; 4] = std::array::from_fn(|i| {
             scene.supports[self.stretches[i]].narrowed(ranges[i], scene.center)
         });
-        let quadruple = Quadruple::over(scene, supports.each_ref(), self.springs.fingers)?;
+        let fingers = self.springs.fingers;
+        let quadruple = Quadruple::over(scene, supports.each_ref(), fingers)?.on_part();
         if quadruple.bound() <= floor {
             return None;
         }

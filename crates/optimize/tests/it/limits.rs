@@ -278,6 +278,20 @@ fn conditions_cost_quality_until_nothing_fits() {
     assert_eq!(never, Err(OptimizeError::ConditionsNeverMet { fingers: 4, combinations: 35.0 }));
 }
 
+/// On a square of side 4 tips 2.5 apart are best where two fingers press no more: at (2, 0),
+/// (4, 1.5), (0, 4) and (0, 1.5), with a quality of 8/61. Those who press come as near as one
+/// likes, in ever smaller parts of what is divided.
+#[test]
+fn the_bound_holds_where_tips_touch_at_the_limit_of_closure() {
+    let square = [[0.0, 0.0], [4.0, 0.0], [4.0, 4.0], [0.0, 4.0]];
+    let part = Part::uniform(Polygon::new(&square).unwrap(), 1.0).unwrap();
+    let asked = Fingers { clearance: 2.5, ..Fingers::new(4) };
+    let found = fingers(&part, &asked, &Effort::default(), unwatched).unwrap();
+    let (best, limit) = (found.best.objective, 8.0 / 61.0);
+    assert!(found.certificate.upper_bound >= limit * (1.0 - 1e-12));
+    assert!(best <= limit * (1.0 + 1e-12) && best > 0.999 * limit);
+}
+
 /// However a search ends, no placement is above its bound, and its best is one.
 #[test]
 fn a_stopped_search_has_a_bound_that_holds() {

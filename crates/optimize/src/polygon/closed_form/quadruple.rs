@@ -209,6 +209,12 @@ impl<'a> Quadruple<'a> {
         common.area() > TOUCHING * extent * size
     }
 
+    /// The same for parts of stretches on which fingers can push: however little they push there,
+    /// what they have in common with the cone is a limit of placements.
+    pub(crate) fn on_part(self) -> Self {
+        Self { inner: self.cone, ..self }
+    }
+
     fn largest_arm(&self) -> f64 {
         self.supports.iter().map(|s| s.weight).fold(0.0, f64::max)
     }
