@@ -1,5 +1,6 @@
 //! Which contact forces balance by themselves, and whether the contacts can hold the body.
 
+use clench_screw::Vector;
 use faer::Mat;
 use microlp::{ComparisonOp, OptimizationDirection, Problem, Variable};
 
@@ -11,7 +12,7 @@ const ZERO_SINGULAR_VALUE: f64 = 4.0 * f64::EPSILON;
 
 /// A margin below this many units of rounding, per contact, counts as zero: it is the least of
 /// forces that sum to 1, each a combination of as many rounded entries as there are contacts.
-const ZERO_MARGIN: f64 = 16.0 * f64::EPSILON;
+pub(crate) const ZERO_MARGIN: f64 = 16.0 * f64::EPSILON;
 
 /// A coefficient of the linear program below this, per contact, is rounding of a unit vector, and
 /// would only spoil the program's scaling.
@@ -69,8 +70,7 @@ impl<const N: usize, const M: usize> Grasp<N, M> {
         let (rank, basis) = self.balanced_forces();
         let best = best_preload(&basis)?;
         let can_press = best.as_ref().is_some_and(|b| b.margin > ZERO_MARGIN * count as f64);
-        let unopposed =
-            if can_press { Vec::new() } else { unopposed(&self.null_space(N, 0.0).1, count)? };
+        let unopposed = if can_press { Vec::new() } else { self.unopposed()? };
         Ok(Preloads { rank, force_closure: rank == N + M && can_press, basis, best, unopposed })
     }
 
@@ -81,7 +81,26 @@ impl<const N: usize, const M: usize> Grasp<N, M> {
     pub(crate) fn balanced_forces(&self) -> (usize, Vec<Vec<f64>>) {
         let balanced = self.loads().is_empty() && self.total_preload() > 0.0;
         let given = if balanced && self.equilibrium().holds { BALANCED } else { 0.0 };
-        self.null_space(N + M, given)
+        null_space(&self.wrench_map(N + M), given)
+    }
+
+    /// The contacts that carry nothing in any combination of forces along the normals that sum to
+    /// none, without a pulling finger.
+    fn unopposed(&self) -> Result<Vec<usize>, GraspError> {
+        let normals = self.contacts().iter().map(|c| c.unit_wrench(self.centroid()).force);
+        // What is true of a contact is true of all with its normal.
+        let mut distinct: Vec<Vector<N>> = Vec::new();
+        let mut number = |normal| {
+            distinct.iter().position(|known| *known == normal).unwrap_or_else(|| {
+                distinct.push(normal);
+                distinct.len() - 1
+            })
+        };
+        let numbers: Vec<usize> = normals.map(&mut number).collect();
+        let map = Mat::from_fn(N, distinct.len(), |i, j| distinct[j][i]);
+        let unopposed = unopposed(&null_space(&map, 0.0).1, distinct.len())?;
+        let contacts = numbers.iter().enumerate().filter(|(_, number)| unopposed.contains(number));
+        Ok(contacts.map(|(contact, _)| contact).collect())
     }
 
     /// The first `rows` of the wrench map, torques divided by the grasp's length.
@@ -93,22 +112,20 @@ impl<const N: usize, const M: usize> Grasp<N, M> {
             if i < N { columns[j].force[i] } else { columns[j].torque[i - N] / length }
         })
     }
+}
 
-    /// The rank and the null vectors of the first `rows` of the wrench map: of all, or of the
-    /// forces alone. Singular values of the part `given` of the largest, per contact, count as
-    /// zero.
-    fn null_space(&self, rows: usize, given: f64) -> (usize, Vec<Vec<f64>>) {
-        let count = self.contacts().len();
-        let map = self.wrench_map(rows);
-        #[expect(clippy::expect_used, reason = "a grasp's wrench map is finite by construction")]
-        let svd = map.svd().expect("the singular values of a finite matrix converge");
-        let values = svd.S().column_vector();
-        let rounding = ZERO_SINGULAR_VALUE * (count + rows) as f64;
-        let zero = rounding.max(given * count as f64) * values[0];
-        let rank = (0..count.min(rows)).filter(|&i| values[i] > zero).count();
-        let null = (rank..count).map(|j| (0..count).map(|i| svd.V()[(i, j)]).collect()).collect();
-        (rank, null)
-    }
+/// The rank and the null vectors of a map with a column for each contact. Singular values of the
+/// part `given` of the largest, per contact, count as zero.
+fn null_space(map: &Mat<f64>, given: f64) -> (usize, Vec<Vec<f64>>) {
+    let (rows, count) = (map.nrows(), map.ncols());
+    #[expect(clippy::expect_used, reason = "a grasp's wrench map is finite by construction")]
+    let svd = map.svd().expect("the singular values of a finite matrix converge");
+    let values = svd.S().column_vector();
+    let rounding = ZERO_SINGULAR_VALUE * (count + rows) as f64;
+    let zero = rounding.max(given * count as f64) * values[0];
+    let rank = (0..count.min(rows)).filter(|&i| values[i] > zero).count();
+    let null = (rank..count).map(|j| (0..count).map(|i| svd.V()[(i, j)]).collect()).collect();
+    (rank, null)
 }
 
 /// Maximizes the least force over `{B y : sum(B y) = 1}`, a linear program in `y`.

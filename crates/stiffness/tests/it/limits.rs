@@ -200,6 +200,10 @@ fn a_finger_without_an_opposite_is_unopposed() {
     // One finger alone, and two that press the same way, are all unopposed.
     let same = vec![finger(0.0, 0.0, 0.0, 1.0, 0.0), finger(1.0, 0.0, 0.0, 1.0, 0.0)];
     assert_eq!(Grasp::new(same).unwrap().preloads().unwrap().unopposed, [0, 1]);
+    // So are very many, which are looked at as one.
+    let row = (0..300).map(|i| finger(0.0, f64::from(i), 1.0, 0.0, 0.0)).collect();
+    let all = Grasp::new(row).unwrap().preloads().unwrap().unopposed;
+    assert_eq!(all, (0..300).collect::<Vec<_>>());
     let one = vec![finger(0.0, 0.0, 0.0, 1.0, 0.0)];
     assert_eq!(Grasp::new(one).unwrap().preloads().unwrap().unopposed, [0]);
 }
