@@ -4,7 +4,7 @@ use clench_contact::Contact;
 use faer::Mat;
 use microlp::{ComparisonOp, OptimizationDirection, Problem};
 
-use crate::preloads::{FREE, NO_SHARE, ZERO_COEFFICIENT, ZERO_TOTAL, above};
+use crate::preloads::{FREE, NO_SHARE, ZERO_COEFFICIENT, ZERO_MARGIN, ZERO_TOTAL, above};
 use crate::{BALANCED, Grasp, GraspError};
 
 /// Preloads have settled when a step changes none of them by more than this part of the largest:
@@ -51,6 +51,12 @@ pub enum NeededPreloads {
     },
     /// As for [`LeastPreloads::LoadsNotBalanced`].
     LoadsNotBalanced,
+    /// With the least sum these contacts press nothing, and without a force their laws have no
+    /// stiffness: any force will do for them, and none is the least.
+    NoLeast {
+        /// The contacts, from 0.
+        contacts: Vec<usize>,
+    },
     /// To scale: these contacts lose force, and have no preload.
     NoPreload {
         /// The contacts, from 0.
@@ -167,6 +173,10 @@ impl<const N: usize, const M: usize> Grasp<N, M> {
         };
         let mut preloads = first.clone();
         for _ in 0..MOST_STEPS {
+            let contacts = self.without_stiffness(&preloads);
+            if !contacts.is_empty() {
+                return Ok(NeededPreloads::NoLeast { contacts });
+            }
             let Some(changes) = self.with_preloads(&preloads).and_then(|grasp| changes(&grasp))
             else {
                 break;
@@ -193,6 +203,18 @@ impl<const N: usize, const M: usize> Grasp<N, M> {
         };
         let contacts = self.contacts().iter().zip(preloads).map(contact).collect::<Option<_>>()?;
         Self::new(contacts).and_then(|grasp| grasp.with_loads(self.loads().to_vec())).ok()
+    }
+
+    /// The contacts with no preload, to rounding, whose laws have no stiffness then.
+    fn without_stiffness(&self, preloads: &[f64]) -> Vec<usize> {
+        let largest = preloads.iter().copied().fold(0.0, f64::max);
+        let none = ZERO_MARGIN * preloads.len() as f64 * largest;
+        let lacks = |contact: &Contact<N, M>| {
+            Contact::<N, M>::new(*contact.overlap().geometry(), contact.law().clone(), 0.0).is_err()
+        };
+        let contacts = self.contacts().iter().zip(preloads).enumerate();
+        let idle = contacts.filter(|(_, (contact, preload))| **preload <= none && lacks(contact));
+        idle.map(|(number, _)| number).collect()
     }
 
     /// The preload that each contact needs under all load cases.

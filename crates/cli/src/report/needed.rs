@@ -94,6 +94,15 @@ impl RemedyReport {
             NeededPreloads::NoPreload { contacts } => {
                 format!("{}, and has no preload to scale", losing(contacts, cases))
             }
+            NeededPreloads::NoLeast { contacts } => {
+                let names: Vec<String> = contacts.iter().map(ToString::to_string).collect();
+                format!(
+                    "those with the least total leave none for {} {}, without stiffness then; any \
+                     preload there will do, but none is the least",
+                    if contacts.len() == 1 { "contact" } else { "contacts" },
+                    names.join(", "),
+                )
+            }
             NeededPreloads::NotByScaling if analysis.grasp.loads().is_empty() => {
                 "the present preloads do not balance".to_owned()
             }

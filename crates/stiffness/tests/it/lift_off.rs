@@ -180,6 +180,33 @@ fn preloads_of_laws_that_stiffen_settle_and_hold_when_analyzed_again() {
     }
 }
 
+/// A box that is pushed down on its two feet needs nothing from its sides, but with laws that have
+/// no stiffness without force it slides between them then.
+#[test]
+fn what_needs_no_preload_may_still_need_one_to_be_stiff() {
+    let sides = |law: &Law| {
+        vec![
+            finger([-0.6, -1.0], [0.0, 1.0], law.clone(), 8.0),
+            finger([0.8, -1.0], [0.0, 1.0], law.clone(), 12.0),
+            finger([0.2, 1.0], [0.0, -1.0], law.clone(), 20.0),
+            finger([1.0, 0.2], [-1.0, 0.0], law.clone(), 10.0),
+            finger([-1.0, 0.2], [1.0, 0.0], law.clone(), 10.0),
+        ]
+    };
+    let loads = [[0.0, -3.0, 0.5]];
+    let changes_of = |grasp: &Grasp<2, 1>| Some(changes(grasp, Order::First, &loads));
+    let needed = |law: &Law| {
+        let grasp = Grasp::new(sides(law)).unwrap();
+        grasp.needed_preloads(Remedy::Least, 0.0, changes_of).unwrap()
+    };
+    let Needed { preloads, .. } = found(needed(&linear(100.0)));
+    assert_all_close(&preloads[3..], &[0.0, 0.0], 1e-12, "the sides");
+    for exponent in [1.2, 1.5] {
+        let law = Law::power(300.0, exponent).unwrap();
+        assert_eq!(needed(&law), NeededPreloads::NoLeast { contacts: vec![3, 4] });
+    }
+}
+
 /// Nothing is known of a grasp that does not hold: then the first step is all there is.
 #[test]
 fn changes_that_are_not_known_leave_the_first_step() {
