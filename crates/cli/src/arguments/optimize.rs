@@ -17,9 +17,11 @@ use crate::input::schema::Forbidden;
 /// The gap of a search that only closes in on the best placement of a combination.
 const DEFAULT_GAP: f64 = 1e-4;
 
-/// The gap and the time of a search on a solid: the last percents of its proof take the longest.
+/// The gap of a search on a solid: the last percents of its proof take the longest.
 const SOLID_GAP: f64 = 0.05;
-const SOLID_TIME: Duration = Duration::from_mins(1);
+
+/// The time of a search that closes in.
+const DEFAULT_TIME: Duration = Duration::from_mins(1);
 
 /// Three fingers hold an outline by their preload; two never do.
 const FEWEST_ON_OUTLINE: usize = 3;
@@ -97,8 +99,9 @@ pub(crate) struct OptimizeArguments {
     #[arg(long, value_name = "G", value_parser = value::not_negative)]
     #[arg(allow_hyphen_values = true)]
     gap: Option<f64>,
-    /// Stop after this time, with the best so far and a bound; so does Ctrl-C. On a solid 60, if
-    /// neither this nor --nodes is given.
+    /// Stop after this time, with the best so far and a bound; so does Ctrl-C. 60 if neither this
+    /// nor --nodes is given, on an outline only with five and more fingers, or with --objective
+    /// worst-point.
     #[arg(long, value_name = "SECONDS", value_parser = value::seconds)]
     #[arg(allow_hyphen_values = true)]
     time: Option<Duration>,
@@ -134,14 +137,23 @@ impl OptimizeArguments {
     /// How far a search on an outline goes.
     pub(crate) fn effort_on_outline(&self) -> Effort {
         let closes_in = self.fingers > 4 || self.maximized(2) == ObjectiveArgument::WorstPoint;
-        let gap = self.gap.unwrap_or(if closes_in { DEFAULT_GAP } else { 0.0 });
-        Effort { top: self.top, gap, time: self.time, nodes: self.nodes }
+        if closes_in {
+            self.closing_in(DEFAULT_GAP)
+        } else {
+            let gap = self.gap.unwrap_or(0.0);
+            Effort { top: self.top, gap, time: self.time, nodes: self.nodes }
+        }
     }
 
     /// How far a search on a solid goes.
     pub(crate) fn effort_on_solid(&self) -> Effort {
-        let gap = self.gap.unwrap_or(SOLID_GAP);
-        let time = if self.nodes.is_some() { self.time } else { self.time.or(Some(SOLID_TIME)) };
+        self.closing_in(SOLID_GAP)
+    }
+
+    /// How far a search goes that only closes in on the best placement of a combination.
+    fn closing_in(&self, gap: f64) -> Effort {
+        let gap = self.gap.unwrap_or(gap);
+        let time = if self.nodes.is_some() { self.time } else { self.time.or(Some(DEFAULT_TIME)) };
         Effort { top: self.top, gap, time, nodes: self.nodes }
     }
 
