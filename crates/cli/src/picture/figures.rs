@@ -169,11 +169,10 @@ fn with_marks(
             label: format!("σ_{{{name}}}"),
         });
     let distinct = most - least > REPEATED * most;
-    GraspPicture {
-        directions: if distinct { directions.collect() } else { Vec::new() },
-        notes: vec![Mark { point: worst.to_array(), label: "w".to_owned() }],
-        ..picture
-    }
+    let mut notes = picture.notes;
+    notes.push(Mark { point: worst.to_array(), label: "w".to_owned() });
+    let directions = if distinct { directions.collect() } else { Vec::new() };
+    GraspPicture { directions, notes, ..picture }
 }
 
 fn placed(placement: &PlacementReport, radius: f64) -> Vec<Finger> {

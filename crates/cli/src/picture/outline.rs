@@ -13,8 +13,12 @@ use crate::input::{Piece, PlanarShape};
 use crate::metrics::Metrics;
 use crate::report::{LimitWord, OptimumInPlane, OptimumReport, UnitNames, spot};
 
-/// Outlines with more corners, such as flattened arcs, are drawn without their numbers.
+/// Outlines with more corners are drawn without their numbers.
 const NUMBERED_CORNERS: usize = 40;
+
+/// A corner between edges that are both shorter than this, beside the part's radius, such as those
+/// of a flattened arc, has no room for its number.
+const NUMBER_ROOM: f64 = 0.12;
 
 /// An ellipse is drawn with this many corners: on a page of a thousand points they are less than
 /// a hundredth of a point off.
@@ -23,13 +27,18 @@ const SMOOTH_CORNERS: usize = 360;
 /// Regions are drawn up to so many radii from the part's center.
 const SHOWN: f64 = 1.5;
 
-/// How wide strips without fingers are drawn, beside the part's radius.
+/// How wide strips without fingers are drawn, beside the part's radius; in a hole no wider than
+/// this part of it.
 const STRIP: f64 = 0.03;
+const STRIP_IN_HOLE: f64 = 0.15;
+
+/// A plate is drawn with so many holes at most.
+const SHOWN_HOLES: f64 = 1e3;
 
 /// The part, without fingers.
 pub(crate) fn of_outline(outline: &Polygon) -> GraspPicture {
     let count = outline.corners().len();
-    let numbered = if count <= NUMBERED_CORNERS { count } else { 0 };
+    let labels = if count <= NUMBERED_CORNERS { numbers(outline) } else { Vec::new() };
     let corners = |run: &Range<usize>| {
         outline.corners()[run.clone()].iter().map(|corner| corner.to_array()).collect()
     };
@@ -37,9 +46,22 @@ pub(crate) fn of_outline(outline: &Polygon) -> GraspPicture {
     GraspPicture {
         outline: loops.next().unwrap_or_default(),
         holes: loops.collect(),
-        corner_labels: (0..numbered).map(|corner| corner.to_string()).collect(),
+        corner_labels: labels,
         ..GraspPicture::default()
     }
+}
+
+/// The numbers of corners, of those that have room for them.
+fn numbers(outline: &Polygon) -> Vec<String> {
+    let room = NUMBER_ROOM * outline.enclosing_circle().radius;
+    let is_short = |edge: usize| outline.edges()[edge].length() < room;
+    let number = |run: &Range<usize>, corner: usize| {
+        let before = if corner == run.start { run.end - 1 } else { corner - 1 };
+        let is_dense = is_short(corner) && is_short(before);
+        if is_dense { String::new() } else { corner.to_string() }
+    };
+    let of = |run: &Range<usize>| run.clone().map(|corner| number(run, corner)).collect::<Vec<_>>();
+    outline.loops().iter().flat_map(of).collect()
 }
 
 fn of_ellipse(ellipse: &Ellipsoid<2>) -> GraspPicture {
@@ -95,7 +117,36 @@ pub(crate) fn of_optimum(report: &OptimumReport<'_>, part: &Part) -> GraspPictur
         picture.caption.extend([String::new(), "shaded: no finger".to_owned()]);
         picture.regions.extend(gaps.into_iter().map(|gap| shaded(part, gap)));
     }
+    picture.notes = plate_holes(report, part);
+    if !picture.notes.is_empty() {
+        picture.caption.extend([String::new(), "dots: holes of the plate".to_owned()]);
+    }
     picture
+}
+
+/// The holes of the plate around the part, unless they are too many.
+fn plate_holes(report: &OptimumReport<'_>, part: &Part) -> Vec<Mark> {
+    let planar = report.question.part.planar.as_ref();
+    let Some(plate) = planar.and_then(|planar| planar.plate.as_ref()) else { return Vec::new() };
+    let circle = part.outline().enclosing_circle();
+    let offset = plate.offset.map_or([0.0; 2], |offset| offset.0);
+    let around = circle.radius + report.question.finger_radius;
+    let axis = |i: usize| {
+        let index = |at: f64| (at - offset[i]) / plate.pitch.0[i];
+        (index(circle.center[i] - around).ceil(), index(circle.center[i] + around).floor())
+    };
+    let [(left, right), (low, high)] = [axis(0), axis(1)];
+    if (right - left + 1.0) * (high - low + 1.0) > SHOWN_HOLES {
+        return Vec::new();
+    }
+    let steps = |from: f64, to: f64| {
+        std::iter::successors(Some(from), |at| Some(at + 1.0)).take_while(move |at| *at <= to)
+    };
+    let hole = |x: f64, y: f64| Mark {
+        point: [offset[0] + x * plate.pitch.0[0], offset[1] + y * plate.pitch.0[1]],
+        label: String::new(),
+    };
+    steps(left, right).flat_map(|x| steps(low, high).map(move |y| hole(x, y))).collect()
 }
 
 /// The regions that fingers keep out of, as far as they are near the part.
@@ -134,10 +185,24 @@ fn untouchable(part: &Part) -> Vec<Stretch> {
 /// A strip along a stretch, on the outer side of its edge.
 fn shaded(part: &Part, gap: Stretch) -> Region {
     let edge = &part.outline().edges()[gap.edge];
-    let out = edge.inward_normal() * -(STRIP * part.outline().enclosing_circle().radius);
+    let out = edge.inward_normal() * -width(part.outline(), gap.edge);
     let [from, to] = [gap.from, gap.to].map(|along| edge.point_at(along));
     let corners = [from, to, to + out, from + out].map(Vector::to_array);
     Region { corners: corners.to_vec(), color: Color::ORANGE }
+}
+
+/// How wide strips are along the loop of an edge.
+fn width(outline: &Polygon, edge: usize) -> f64 {
+    let most = STRIP * outline.enclosing_circle().radius;
+    let hole = outline.loops().iter().skip(1).find(|run| run.contains(&edge));
+    hole.map_or(most, |run| {
+        let extent = |i: usize| {
+            let values = outline.corners()[run.clone()].iter().map(|corner| corner[i]);
+            let (low, high) = (values.clone().fold(f64::INFINITY, f64::min), values);
+            high.fold(f64::NEG_INFINITY, f64::max) - low
+        };
+        most.min(STRIP_IN_HOLE * extent(0).min(extent(1)))
+    })
 }
 
 /// The grasp that was analyzed, in the frame of the file.

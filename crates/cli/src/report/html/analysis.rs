@@ -9,8 +9,9 @@ use super::sheet::{Headline, Section, Sheet, Tone};
 use super::viewer;
 use crate::failure::Failure;
 use crate::picture::{Figures, Scene};
+use crate::report::UnitNames;
 use crate::report::analysis_text::AnalysisText;
-use crate::report::load_case::LoadCaseReport;
+use crate::report::load_case::{LoadCaseReport, Turning};
 use crate::report::page::Page;
 use crate::wording::digits;
 
@@ -94,6 +95,16 @@ fn drawn(exaggeration: Option<f64>) -> String {
     )
 }
 
+/// What of the load is drawn.
+fn acting(case: &LoadCaseReport, units: UnitNames<'_>) -> String {
+    let force =
+        if case.point.is_some() || !case.forces.is_empty() { "Purple: the force." } else { "" };
+    let couple = case.couple.as_ref().map_or_else(String::new, |Turning(couple)| {
+        format!(" Not drawn: the couple, {}.", units.torques(couple))
+    });
+    format!("{force}{couple}")
+}
+
 /// All load cases in a table, and each by itself.
 fn load_cases(text: &AnalysisText<'_>, figures: &Figures) -> Markup {
     let cases = &text.report.load_cases;
@@ -105,7 +116,7 @@ fn load_cases(text: &AnalysisText<'_>, figures: &Figures) -> Markup {
                 (PreEscaped(&figure.svg))
                 figcaption {
                     "Orange: the part under the load, " (drawn(figure.exaggeration))
-                    ". Purple: the force. " (legend::forces(text.planar()))
+                    ". " (acting(case, text.units())) " " (legend::forces(text.planar()))
                 }
             }
             (one(text, number, case))

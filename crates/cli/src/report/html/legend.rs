@@ -17,8 +17,8 @@ pub(super) fn grasp(planar: bool, held: bool) -> Markup {
     let marks = match (planar, held) {
         (_, false) => "",
         (true, true) => {
-            " c: center of compliance, with the principal directions of translation in green and \
-             the farthest point on the arc; w: the point that gives way most."
+            " c: center of compliance, with the principal directions of translation in green, if \
+             they differ, and the farthest point on the arc; w: the point that gives way most."
         }
         (false, true) => {
             " c: center; dash-dotted: the axes of the principal rotations, the softest in orange; \
