@@ -33,6 +33,9 @@ pub enum DrawingError {
         /// What is allowed (bytes).
         most: u64,
     },
+    /// Text of two bytes per letter.
+    #[error("the file looks like text in UTF-16, expected it in UTF-8")]
+    Utf16,
     /// An SVG file that is no text.
     #[error("byte {offset} is not UTF-8, expected an SVG file in UTF-8")]
     NotText {
@@ -61,11 +64,25 @@ pub enum DrawingError {
         /// The value of the attribute.
         found: String,
     },
+    /// A size of an SVG file that is none.
+    #[error("line {line}: found the {name} {}, expected {expected}", Quoted(.found))]
+    SvgSize {
+        /// The line of the element.
+        line: usize,
+        /// The name of the attribute: `"width"`, `"r"`.
+        name: &'static str,
+        /// Its value.
+        found: String,
+        /// What would be one.
+        expected: &'static str,
+    },
     /// The data of a path of an SVG file.
-    #[error("line {line}: the data of the path is not valid")]
+    #[error("line {line}: the data of the path {}, expected commands and finite numbers", .fault)]
     Path {
         /// The line of the path.
         line: usize,
+        /// Where it is not valid.
+        fault: PathFault,
     },
     /// Coordinates that are too large, or not finite.
     #[error("line {line}: the {kind} has coordinates beyond 1e100")]
@@ -119,6 +136,20 @@ pub enum DrawingError {
         /// What is there.
         found: String,
     },
+    /// A unit of length of a DXF file that is none, or none of a part.
+    #[error(
+        "line {line}: $INSUNITS is {}{}, expected the number of a unit of length, 1 to 16 or 21 \
+         to 24, or 0 for none",
+        Quoted(.found), called(*.named)
+    )]
+    UnitNumber {
+        /// Where it is.
+        line: usize,
+        /// What is there.
+        found: String,
+        /// What this number stands for, if it is a unit.
+        named: Option<&'static str>,
+    },
     /// An entity that lacks a coordinate.
     #[error("line {line}: the {kind} has no value with the group code {code}")]
     MissingValue {
@@ -138,6 +169,14 @@ pub enum DrawingError {
         line: usize,
         /// What was found.
         radius: f64,
+    },
+    /// An ellipse without a width.
+    #[error("line {line}: the ELLIPSE has the ratio of axes {ratio}, expected one above 0")]
+    AxisRatio {
+        /// Its line.
+        line: usize,
+        /// What was found.
+        ratio: f64,
     },
     /// A curve all of whose points are one.
     #[error("line {line}: the {kind} has no length")]
@@ -164,12 +203,25 @@ pub enum DrawingError {
         line: usize,
     },
     /// A block within itself.
-    #[error("line {line}: the block {} is within itself, or too deep in others", Quoted(.name))]
+    #[error("line {line}: the block {} is within itself", Quoted(.name))]
     RecursiveBlock {
         /// The name of the block.
         name: String,
         /// The line of the INSERT.
         line: usize,
+    },
+    /// Blocks within blocks.
+    #[error(
+        "line {line}: the block {} is within {deepest} others, one in the other, expected blocks \
+         nested at most {deepest} deep", Quoted(.name)
+    )]
+    BlockTooDeep {
+        /// The name of the block.
+        name: String,
+        /// The line of the INSERT.
+        line: usize,
+        /// What is allowed.
+        deepest: usize,
     },
     /// Blocks or elements that multiply beyond all measure.
     #[error("the drawing has more than {most} entities, those used again counted each time")]
@@ -293,6 +345,21 @@ pub enum DrawingError {
     Outline(PolygonError),
 }
 
+/// Where the data of a path is not valid.
+#[derive(Clone, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum PathFault {
+    /// It ends too early.
+    Ends,
+    /// Something else is there.
+    At {
+        /// The character of the data where it is, from 1.
+        character: usize,
+        /// What is there.
+        found: String,
+    },
+}
+
 /// Why a text is not XML.
 #[derive(Debug)]
 pub struct XmlError(pub(crate) roxmltree::Error);
@@ -307,6 +374,17 @@ impl DrawingError {
     }
 }
 
+impl fmt::Display for PathFault {
+    fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Ends => out.write_str("ends too early"),
+            Self::At { character, found } => {
+                write!(out, "has {} at its character {character}", Quoted(found))
+            }
+        }
+    }
+}
+
 impl fmt::Display for XmlError {
     fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
         self.0.fmt(out)
@@ -314,6 +392,10 @@ impl fmt::Display for XmlError {
 }
 
 impl std::error::Error for XmlError {}
+
+fn called(unit: Option<&str>) -> String {
+    unit.map_or_else(String::new, |unit| format!(" ({unit})"))
+}
 
 fn spot([x, y]: [f64; 2]) -> String {
     format!("({}, {})", digits(x), digits(y))

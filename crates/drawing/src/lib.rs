@@ -62,7 +62,7 @@ mod nest;
 
 mod wording;
 
-pub use error::{DrawingError, XmlError};
+pub use error::{DrawingError, PathFault, XmlError};
 pub use part::{DrawnPart, Repeat};
 pub use sheet::Sheet;
 pub use source::{LeftAside, Reason, Source};

@@ -6,17 +6,20 @@ use crate::chain::Contour;
 use crate::error::DrawingError;
 use crate::source::Source;
 
-/// The contours, the outline first; all others are holes of it.
-pub(super) fn nested(
-    mut contours: Vec<Contour>,
-    sources: &[Source],
-) -> Result<Vec<Contour>, DrawingError> {
+/// The contours, the largest one, which is the outline, first.
+pub(super) fn outline_first(mut contours: Vec<Contour>) -> Vec<Contour> {
     let areas: Vec<f64> = contours.iter().map(|contour| area(&contour.corners).abs()).collect();
     let largest = (0..areas.len()).max_by(|&one, &other| areas[one].total_cmp(&areas[other]));
     // Of equals the first one is the outline.
     let largest = largest.and_then(|one| areas.iter().position(|area| *area >= areas[one]));
-    let Some(outline) = largest else { return Ok(contours) };
-    contours[..=outline].rotate_right(1);
+    if let Some(outline) = largest {
+        contours[..=outline].rotate_right(1);
+    }
+    contours
+}
+
+/// Checks that all others are holes of the first.
+pub(super) fn check_nesting(contours: &[Contour], sources: &[Source]) -> Result<(), DrawingError> {
     let boxes: Vec<Rect> = contours.iter().map(|contour| around(&contour.corners)).collect();
     let source = |contour: usize| sources[contours[contour].sources[0]].clone();
     for hole in 1..contours.len() {
@@ -32,7 +35,7 @@ pub(super) fn nested(
             return Err(DrawingError::Island { curves });
         }
     }
-    Ok(contours)
+    Ok(())
 }
 
 /// The area within a contour, positive if it runs counter-clockwise; about its first corner, so

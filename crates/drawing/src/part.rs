@@ -6,7 +6,7 @@ use kurbo::{Point, Rect};
 use crate::chain::{Chain, Contour, Joined, joined, without_repeats};
 use crate::curve::{Corners, Curve};
 use crate::error::DrawingError;
-use crate::nest::nested;
+use crate::nest::{check_nesting, outline_first};
 use crate::sheet::{Sheet, Strand};
 use crate::source::{LeftAside, Source};
 
@@ -60,13 +60,19 @@ impl DrawnPart {
         let (chains, repeats) = without_repeats(flattened(&strands, sources, chord)?);
         let Joined { contours, largest_gap } = joined(&chains, sources, JOIN * diagonal)
             .map_err(|error| error.with_left_aside(&left_aside))?;
-        let contours = nested(contours, sources)?;
-        let polygon = polygon(&contours, sources)?;
+        let contours = outline_first(contours);
+        let polygon = polygon(&contours, sources);
+        // Of contours that cross each other neither is in the other.
+        if !matches!(polygon, Err(DrawingError::Crossing { .. })) {
+            check_nesting(&contours, sources)?;
+        }
+        let polygon = polygon?;
         let repeat = |[one, other]: &[usize; 2]| Repeat {
             left_out: sources[*one].clone(),
             kept: sources[*other].clone(),
         };
         let repeats = repeats.iter().map(repeat).collect();
+        let chord = if is_flattened(&contours, &strands) { chord } else { 0.0 };
         let (sources, edges) = numbered(&contours, sources);
         Ok(Self { polygon, sources, edges, chord, largest_gap, repeats, left_aside })
     }
@@ -95,7 +101,8 @@ impl DrawnPart {
         &self.sources
     }
 
-    /// No edge is farther than this from its curve (length). Corners are on their curves.
+    /// No edge is farther than this from its curve (length): 0 if all curves are straight. Corners
+    /// are on their curves.
     #[must_use]
     pub const fn chord(&self) -> f64 {
         self.chord
@@ -157,6 +164,19 @@ fn flattened(
         Ok(Chain { points: corners.points, source: strand.source })
     };
     strands.iter().map(chain).collect()
+}
+
+/// Whether a curve of a contour is not straight.
+fn is_flattened(contours: &[Contour], strands: &[Strand]) -> bool {
+    let is_bent = |curve: &Curve| !matches!(curve, Curve::Line(_));
+    let mut bent: Vec<usize> = strands
+        .iter()
+        .filter(|strand| strand.curves.iter().any(is_bent))
+        .map(|strand| strand.source)
+        .collect();
+    bent.sort_unstable();
+    let sources = contours.iter().flat_map(|contour| &contour.sources);
+    sources.into_iter().any(|source| bent.binary_search(source).is_ok())
 }
 
 /// The contours as a polygon, or what is wrong with them in terms of the drawing.

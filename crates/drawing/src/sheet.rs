@@ -120,6 +120,9 @@ impl Sheet {
         if bytes.iter().all(u8::is_ascii_whitespace) {
             return Err(DrawingError::Empty);
         }
+        if is_utf16(bytes) {
+            return Err(DrawingError::Utf16);
+        }
         let sheet = read(bytes, layers)?;
         match layers.iter().find(|layer| !is_one_of(layer, &sheet.layers)) {
             Some(&layer) => {
@@ -155,6 +158,16 @@ impl Strand {
 /// Whether a layer is among others, without regard to case.
 pub(crate) fn is_one_of(layer: &str, layers: &[impl AsRef<str>]) -> bool {
     layers.iter().any(|other| other.as_ref().eq_ignore_ascii_case(layer))
+}
+
+/// Whether text begins with the mark of UTF-16, or with two letters whose other bytes are 0.
+fn is_utf16(bytes: &[u8]) -> bool {
+    let is_letter = |byte: u8| byte != 0 && byte.is_ascii();
+    match *bytes {
+        [0xFF, 0xFE, ..] | [0xFE, 0xFF, ..] => true,
+        [one, 0, other, 0, ..] | [0, one, 0, other, ..] => is_letter(one) && is_letter(other),
+        _ => false,
+    }
 }
 
 fn check_size(size: u64) -> Result<(), DrawingError> {

@@ -47,6 +47,11 @@ pub enum Reason {
     OffPlane,
     /// On a sheet of paper rather than in the model.
     Paper,
+    /// A shape of SVG without a width, a height or a path, which SVG does not draw.
+    NoSize,
+    /// A style sheet, or the class of a shape that is on the part all the same: either could
+    /// hide what was read.
+    StyleSheet,
 }
 
 /// How many of a kind on a layer are left aside for a reason.
@@ -96,6 +101,8 @@ impl fmt::Display for Reason {
             Self::Broken => "a broken line",
             Self::OffPlane => "not in the plane",
             Self::Paper => "on paper",
+            Self::NoSize => "without a size",
+            Self::StyleSheet => "style sheets are not read",
         })
     }
 }

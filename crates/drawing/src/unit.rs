@@ -13,8 +13,9 @@ impl Unit {
         Self { name, micrometers }
     }
 
-    /// Its symbol: of DXF `in`, `ft`, `mm`, `cm`, `m`, `km`, `uin`, `mil`, `yd`, `nm`, `um` or
-    /// `dm`, of SVG `mm`, `cm` or `in`.
+    /// Its symbol: of DXF `in`, `ft`, `mi`, `mm`, `cm`, `m`, `km`, `uin`, `mil`, `yd`, `angstrom`,
+    /// `nm`, `um`, `dm`, `dam` or `hm`, of land surveys in the United States `us-ft`, `us-in`,
+    /// `us-yd` or `us-mi`; of SVG `mm`, `cm` or `in`.
     #[must_use]
     pub const fn name(self) -> &'static str {
         self.name

@@ -67,7 +67,10 @@ impl AnalysisText<'_> {
         let contacts = counted(report.contacts.len(), "contact");
         page.head("grasp", format_args!("{}, {contacts}", self.name));
         if let Some(drawing) = &report.drawing {
-            drawing.head(page, self.units());
+            drawing.facts(page, self.units());
+            for warning in drawing.warnings() {
+                page.head("warning", warning);
+            }
         }
         page.head("units", self.units());
         self.facts(page);

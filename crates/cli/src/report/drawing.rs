@@ -1,6 +1,6 @@
 //! The report on the drawing that a part is from.
 
-use clench::drawing::{Repeat, Source, Unit};
+use clench::drawing::{DrawnPart, Reason, Repeat, Source, Unit};
 use serde::Serialize;
 
 use super::number::UnitNames;
@@ -8,8 +8,8 @@ use super::page::Page;
 use crate::input::Drawn;
 use crate::wording::{counted, digits, layer_name};
 
-/// Smaller parts of the chord are not worth a word: ends that meet differ so by rounding.
-const SMALLEST_GAP: f64 = 1e-6;
+/// Smaller parts of the size are not worth a word: ends that meet differ so by rounding.
+const SMALLEST_GAP: f64 = 1e-10;
 
 /// What was read from a drawing, and what was not.
 #[derive(Clone, Debug, Serialize)]
@@ -23,7 +23,7 @@ pub(crate) struct DrawingReport {
     /// The curves that the outline and its holes consist of.
     pub(crate) curves: usize,
     pub(crate) layers: Vec<String>,
-    /// How far edges are from their curves at most (length).
+    /// How far edges are from their curves at most (length); 0 if all curves are straight.
     pub(crate) chord: f64,
     /// The largest distance of ends that were joined (length).
     pub(crate) largest_gap: f64,
@@ -32,6 +32,12 @@ pub(crate) struct DrawingReport {
     pub(crate) repeated: Vec<String>,
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub(crate) left_aside: Vec<LeftAside>,
+    /// The largest gap that is worth no word (length).
+    #[serde(skip)]
+    rounding: f64,
+    /// What is to be said of style sheets, which are named among what was left aside.
+    #[serde(skip)]
+    styles: Option<String>,
 }
 
 /// What is no part of the outline.
@@ -72,11 +78,19 @@ impl DrawingReport {
             largest_gap: part.largest_gap(),
             repeated: repeated.collect(),
             left_aside: aside.collect(),
+            rounding: SMALLEST_GAP * part.polygon().enclosing_circle().radius,
+            styles: styles(part),
         }
     }
 
-    /// The same in words.
-    pub(super) fn head(&self, page: &mut Page, units: UnitNames<'_>) {
+    /// What might be wrong with what was read.
+    pub(super) fn warnings(&self) -> impl Iterator<Item = String> {
+        let repeated = self.repeated.iter().map(|repeated| format!("{repeated}: left out"));
+        repeated.chain(self.styles.clone())
+    }
+
+    /// The same in words, without the warnings.
+    pub(super) fn facts(&self, page: &mut Page, units: UnitNames<'_>) {
         let curves = counted(self.curves, "curve");
         let layers = match &self.layers[..] {
             [layer] => layer_name(layer),
@@ -88,20 +102,30 @@ impl DrawingReport {
             Some(unit) => format!("in {unit}: lengths times {}", digits(self.scale)),
         };
         page.head("drawing", format_args!("{}, {unit}; {curves} on {layers}", self.name));
-        let chord = units.length(self.chord);
-        let gap = match self.largest_gap {
-            gap if gap > SMALLEST_GAP * self.chord => {
-                format!("; gaps up to {} are closed", units.length(gap))
-            }
-            _ => String::new(),
-        };
-        page.head("", format_args!("edges are within {chord} of its curves{gap}"));
-        for repeated in &self.repeated {
-            page.head("warning", format_args!("{repeated}: left out"));
+        let chord = (self.chord > 0.0)
+            .then(|| format!("edges are within {} of its curves", units.length(self.chord)));
+        let gap = (self.largest_gap > self.rounding)
+            .then(|| format!("gaps up to {} are closed", units.length(self.largest_gap)));
+        let read: Vec<String> = chord.into_iter().chain(gap).collect();
+        if !read.is_empty() {
+            page.head("", read.join("; "));
         }
         for (i, LeftAside { kind, layer, reason, count }) in self.left_aside.iter().enumerate() {
             let label = if i == 0 { "aside" } else { "" };
             page.head(label, format_args!("{count} {kind} on {}: {reason}", layer_name(layer)));
         }
     }
+}
+
+/// What is to be said of style sheets.
+fn styles(part: &DrawnPart) -> Option<String> {
+    let unread = part.left_aside().iter().filter(|aside| aside.reason == Reason::StyleSheet);
+    let (classes, sheets): (Vec<_>, Vec<_>) = unread.partition(|aside| aside.kind == "class");
+    let classes = match classes.iter().map(|aside| aside.count).sum() {
+        0 => String::new(),
+        count => format!(", such as {} with a class,", counted(count, "shape")),
+    };
+    let taken = "is taken as it is without them";
+    (!sheets.is_empty())
+        .then(|| format!("style sheets are not read: what they hide or change{classes} {taken}"))
 }

@@ -67,7 +67,10 @@ impl OptimumText<'_> {
         let (report, units) = (self.report, self.units());
         page.head("part", format_args!("{}, {}", self.name, self.subject.described()));
         if let Some(drawing) = report.question.drawing {
-            drawing.head(page, units);
+            drawing.facts(page, units);
+            for warning in drawing.warnings() {
+                page.head("warning", warning);
+            }
         }
         page.head("units", units);
         self.facts(page);

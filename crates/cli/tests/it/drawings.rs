@@ -52,6 +52,37 @@ fn reports_say_what_was_read() {
     assert_says(&text, &pieces);
 }
 
+/// What a style sheet hides is read all the same, and all reports say so; of straight lines no
+/// chord is told.
+#[test]
+fn reports_say_that_style_sheets_are_not_read() {
+    let folder = Folder::new("drawing-styled");
+    let page = |style: &str| {
+        format!(
+            "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"80mm\" height=\"60mm\" \
+             viewBox=\"0 0 80 60\">{style}<rect width=\"80\" height=\"60\"/>\
+             <path class=\"gone\" d=\"M20 20 h10 v10 h-10 Z\"/></svg>"
+        )
+    };
+    folder.write("plate.svg", page("<style>.gone { display: none }</style>"));
+    let arguments = "plate.svg --stiffness 1 --fingers 4 --report page.html";
+    let text = folder.run(&format!("optimize {arguments}")).out;
+    let said = "style sheets are not read: what they hide or change, such as 1 shape with a \
+                class, is taken as it is without them";
+    assert_says(&text, &[&format!("warning   {said}"), "1 style on no layer: style sheets"]);
+    assert!(!text.contains("edges are within"), "{text}");
+    let html = std::fs::read_to_string(folder.path("page.html")).unwrap();
+    assert_says(&html, &[said, "1 style on no layer", "plate.svg, in mm; 2 curves on no layer"]);
+    let report = read(&folder, "plate.svg --stiffness 1");
+    let aside = list(&report["drawing"]["left_aside"]);
+    let kinds: Vec<&str> = aside.iter().map(|aside| aside["kind"].as_str().unwrap()).collect();
+    assert_eq!(kinds, ["class", "style"]);
+    assert_eq!(aside[1]["reason"].as_str(), Some("style sheets are not read"));
+    assert_close(number(&report["drawing"]["chord"]), 0.0, 0.0, 1.0, "chord");
+    folder.write("plate.svg", page(""));
+    assert!(!folder.run(&format!("optimize {arguments}")).out.contains("style sheets"));
+}
+
 /// A page of an SVG drawing, and its curves with y upwards.
 #[test]
 fn svg_drawings_are_parts_too() {

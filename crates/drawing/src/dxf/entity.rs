@@ -143,6 +143,9 @@ fn ellipse(record: &Record<'_>, side: Side) -> Result<Curves, DrawingError> {
     let center = Point::new(record.needed(10)?, record.needed(20)?);
     let u = Vec2::new(record.needed(11)?, record.needed(21)?);
     let ratio = record.needed(40)?;
+    if ratio.abs() <= 0.0 {
+        return Err(DrawingError::AxisRatio { line: record.line, ratio });
+    }
     let turned = u.turn_90() * ratio;
     let v = if side == Side::Above { turned } else { -turned };
     let [from, to] = [record.number_or(41, 0.0)?, record.number_or(42, TAU)?];

@@ -8,7 +8,7 @@ mod tables;
 use kurbo::Affine;
 
 use self::blocks::{Blocks, Entity, entities};
-use self::pairs::records;
+use self::pairs::{Value, records};
 use self::tables::Tables;
 use crate::error::DrawingError;
 use crate::sheet::{Sheet, Strand, is_one_of};
@@ -25,9 +25,10 @@ const MOST_ENTITIES: usize = 100_000;
 const DEEPEST: usize = 16;
 
 /// The units of `$INSUNITS` by their number.
-const UNITS: [(u8, Unit); 12] = [
+const UNITS: [(u8, Unit); 20] = [
     (1, Unit::new("in", 25_400.0)),
     (2, Unit::new("ft", 304_800.0)),
+    (3, Unit::new("mi", 5_280.0 * 304_800.0)),
     (4, Unit::new("mm", 1e3)),
     (5, Unit::new("cm", 1e4)),
     (6, Unit::new("m", 1e6)),
@@ -35,10 +36,24 @@ const UNITS: [(u8, Unit); 12] = [
     (8, Unit::new("uin", 0.0254)),
     (9, Unit::new("mil", 25.4)),
     (10, Unit::new("yd", 914_400.0)),
+    (11, Unit::new("angstrom", 1e-4)),
     (12, Unit::new("nm", 1e-3)),
     (13, Unit::new("um", 1.0)),
     (14, Unit::new("dm", 1e5)),
+    (15, Unit::new("dam", 1e7)),
+    (16, Unit::new("hm", 1e8)),
+    (21, Unit::new("us-ft", SURVEY_FOOT)),
+    (22, Unit::new("us-in", SURVEY_FOOT / 12.0)),
+    (23, Unit::new("us-yd", SURVEY_FOOT * 3.0)),
+    (24, Unit::new("us-mi", SURVEY_FOOT * 5_280.0)),
 ];
+
+/// The foot of land surveys in the United States (micrometers).
+const SURVEY_FOOT: f64 = 1e6 * 1_200.0 / 3_937.0;
+
+/// The units of `$INSUNITS` in which no part is drawn.
+const ASTRONOMICAL: [(u8, &str); 4] =
+    [(17, "gigameters"), (18, "astronomical units"), (19, "light years"), (20, "parsecs")];
 
 /// The curves of a file, on these layers only if any are named.
 pub(super) fn read(bytes: &[u8], layers: &[&str]) -> Result<Sheet, DrawingError> {
@@ -56,7 +71,7 @@ pub(super) fn read(bytes: &[u8], layers: &[&str]) -> Result<Sheet, DrawingError>
         tables: &tables,
         blocks: &blocks,
         layers,
-        sheet: Sheet::new(unit(tables.unit)),
+        sheet: Sheet::new(tables.unit.map_or(Ok(None), unit)?),
         within: Vec::new(),
         drawn: 0,
     };
@@ -75,8 +90,19 @@ fn text(bytes: &[u8]) -> String {
     }
 }
 
-fn unit(number: Option<i64>) -> Option<Unit> {
-    UNITS.iter().find(|(known, _)| number == Some(i64::from(*known))).map(|(_, unit)| *unit)
+/// The unit that `$INSUNITS` names; none if it is left open, by 0.
+fn unit(variable: Value<'_>) -> Result<Option<Unit>, DrawingError> {
+    let number = variable.text.parse::<i64>().ok();
+    let is = |known: u8| number == Some(i64::from(known));
+    if is(0) {
+        return Ok(None);
+    }
+    if let Some((_, unit)) = UNITS.iter().find(|(known, _)| is(*known)) {
+        return Ok(Some(*unit));
+    }
+    let named = ASTRONOMICAL.iter().find(|(known, _)| is(*known)).map(|(_, name)| *name);
+    let (line, found) = (variable.line, variable.text.to_owned());
+    Err(DrawingError::UnitNumber { line, found, named })
 }
 
 /// How a block is put into the drawing.
@@ -170,9 +196,13 @@ impl<'a> Reader<'a> {
             let (name, line) = at(name);
             return Err(DrawingError::NoSuchBlock { name, line });
         };
-        if self.within.contains(&block.name) || self.within.len() >= DEEPEST {
+        if self.within.contains(&block.name) {
             let (name, line) = at(name);
             return Err(DrawingError::RecursiveBlock { name, line });
+        }
+        if self.within.len() >= DEEPEST {
+            let (name, line) = at(name);
+            return Err(DrawingError::BlockTooDeep { name, line, deepest: DEEPEST });
         }
         let Some(places) = entity::places(record, block.base)? else {
             self.sheet.aside.note(record.kind, layer, Reason::OffPlane);

@@ -13,6 +13,13 @@ struct Pair<'a> {
     line: usize,
 }
 
+/// The text of a value, and where it is.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Value<'a> {
+    pub(super) text: &'a str,
+    pub(super) line: usize,
+}
+
 /// What begins with the code 0: a section, an entry of a table, an entity.
 #[derive(Clone, Debug)]
 pub(super) struct Record<'a> {
@@ -57,12 +64,12 @@ impl<'a> Record<'a> {
         self.pairs.iter().find(|pair| pair.code == code).map(|pair| pair.value.trim())
     }
 
-    /// The values with this code that follow the value `name` with code 9.
-    pub(super) fn variable(&self, name: &str, code: i32) -> Option<&'a str> {
+    /// The value with this code that follows the value `name` with code 9.
+    pub(super) fn variable(&self, name: &str, code: i32) -> Option<Value<'a>> {
         let mut pairs =
             self.pairs.iter().skip_while(|pair| pair.code != 9 || pair.value.trim() != name);
         let value = pairs.nth(1).filter(|pair| pair.code == code)?;
-        Some(value.value.trim())
+        Some(Value { text: value.value.trim(), line: value.line })
     }
 
     /// The number with this code, or another one if there is none.

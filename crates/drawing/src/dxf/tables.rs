@@ -2,7 +2,7 @@
 
 use std::collections::HashMap;
 
-use super::pairs::Record;
+use super::pairs::{Record, Value};
 
 /// A layer is frozen by this flag.
 const FROZEN: i64 = 1;
@@ -16,8 +16,8 @@ pub(super) struct Tables<'a> {
     layers: HashMap<String, Layer<'a>>,
     /// Whether the line type has gaps.
     line_types: HashMap<String, bool>,
-    /// The number of the unit of length; none if it is left open.
-    pub(super) unit: Option<i64>,
+    /// The number of the unit of length, if there is one.
+    pub(super) unit: Option<Value<'a>>,
 }
 
 #[derive(Debug)]
@@ -34,7 +34,7 @@ impl<'a> Tables<'a> {
             match record.kind {
                 "SECTION" => {
                     if let Some(unit) = record.variable("$INSUNITS", 70) {
-                        tables.unit = unit.parse().ok();
+                        tables.unit = Some(unit);
                     }
                 }
                 "LAYER" => {

@@ -48,8 +48,18 @@ pub(super) fn read(bytes: &[u8], layers: &[&str]) -> Result<Sheet, DrawingError>
     let lines = Lines::of(text);
     let (map, size, unit) = page(root, lines.at(root))?;
     let named = root.descendants().filter_map(|node| Some((node.attribute("id")?, node)));
-    let mut reader =
-        Reader { lines, names: named.collect(), layers, sheet: Sheet::new(unit), drawn: 0 };
+    let mut reader = Reader {
+        lines,
+        names: named.collect(),
+        layers,
+        sheet: Sheet::new(unit),
+        is_styled: false,
+        drawn: 0,
+    };
+    for sheet in style::sheets(&document) {
+        reader.sheet.aside.note(sheet, "", Reason::StyleSheet);
+        reader.is_styled = true;
+    }
     let state = State {
         map,
         size,
@@ -95,6 +105,8 @@ struct Reader<'a, 'input> {
     names: HashMap<&'a str, Node<'a, 'input>>,
     layers: &'a [&'a str],
     sheet: Sheet,
+    /// Whether there is a style sheet.
+    is_styled: bool,
     drawn: usize,
 }
 
@@ -159,8 +171,15 @@ impl<'a, 'input> Reader<'a, 'input> {
         }
         let strands = match kind {
             "path" => path::strands(node.attribute("d").unwrap_or(""), line)?,
-            _ => vec![shape::curves(node, state.size, line)?],
+            _ => shape::curves(node, state.size, line)?.into_iter().collect(),
         };
+        if strands.is_empty() {
+            self.sheet.aside.note(kind, layer, Reason::NoSize);
+            return Ok(());
+        }
+        if self.is_styled && node.has_attribute("class") {
+            self.sheet.aside.note("class", layer, Reason::StyleSheet);
+        }
         let source = self.sheet.sources.len();
         for curves in strands {
             let curves: Vec<Curve> = curves.iter().map(|curve| curve.mapped(state.map)).collect();

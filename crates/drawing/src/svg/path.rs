@@ -6,19 +6,30 @@ use kurbo::{Affine, Point, Vec2};
 use svgtypes::{PathParser, PathSegment};
 
 use crate::curve::{Arc, Bezier, Curve};
-use crate::error::DrawingError;
+use crate::error::{DrawingError, PathFault};
 
-/// The curves of each part of a path, which follow each other.
+/// The curves of each part of a path, which follow each other; none if it has no length.
 pub(super) fn strands(data: &str, line: usize) -> Result<Vec<Vec<Curve>>, DrawingError> {
     let mut pen = Pen::default();
     for segment in PathParser::from(data) {
-        pen.draw(segment.map_err(|_| DrawingError::Path { line })?);
+        pen.draw(segment.map_err(|e| DrawingError::Path { line, fault: fault(&e, data) })?);
     }
     pen.lift();
-    if pen.strands.is_empty() {
-        return Err(DrawingError::NoLength { kind: "path".to_owned(), line });
-    }
     Ok(pen.strands)
+}
+
+/// Where the data is not valid, with the word that is there.
+fn fault(error: &svgtypes::Error, data: &str) -> PathFault {
+    let (svgtypes::Error::UnexpectedData(character)
+    | svgtypes::Error::InvalidChar(_, character)
+    | svgtypes::Error::InvalidString(_, character)
+    | svgtypes::Error::InvalidNumber(character)) = *error
+    else {
+        return PathFault::Ends;
+    };
+    let rest = data.chars().skip(character.saturating_sub(1));
+    let found: String = rest.take_while(|c| !c.is_whitespace() && *c != ',').collect();
+    if found.is_empty() { PathFault::Ends } else { PathFault::At { character, found } }
 }
 
 /// What draws a path.

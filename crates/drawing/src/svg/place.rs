@@ -28,13 +28,10 @@ pub(super) fn page(
     root: Node<'_, '_>,
     line: usize,
 ) -> Result<(Affine, Size, Option<Unit>), DrawingError> {
-    let parsed = |name| {
-        let given = root.attribute(name).map(|text| parsed(text, line)).transpose()?;
-        Ok(given.filter(|length| length.unit != LengthUnit::Percent))
-    };
-    let [width, height] = [parsed("width")?, parsed("height")?];
-    let unit = width.or(height).and_then(|length| unit(length.unit));
-    // Lengths in the unit of the page; without one, numbers as they are.
+    let [width, height] = [page_side(root, "width", line)?, page_side(root, "height", line)?];
+    let unit_of = |side: Option<Length>| side.and_then(|length| unit(length.unit));
+    let unit = unit_of(width).or_else(|| unit_of(height));
+    // Lengths in the unit of the page, mere numbers as pixels; without one, numbers as they are.
     let in_unit = |length: Length| -> Result<f64, DrawingError> {
         match unit {
             Some(unit) => {
@@ -62,6 +59,28 @@ pub(super) fn page(
         None => Size { width: width.map(|w| w / pixel), height: height.map(|h| h / pixel) },
     };
     Ok((flip * map, size, unit))
+}
+
+/// The width or the height of the page, if it is said; a percentage is of what is not known.
+fn page_side(
+    root: Node<'_, '_>,
+    name: &'static str,
+    line: usize,
+) -> Result<Option<Length>, DrawingError> {
+    let Some(text) = root.attribute(name) else { return Ok(None) };
+    let length: Option<Length> = text.trim().parse().ok();
+    let fits = |length: &Length| {
+        let known = !matches!(length.unit, LengthUnit::Em | LengthUnit::Ex);
+        length.number > 0.0 && length.number <= LARGEST && known
+    };
+    let found = || DrawingError::SvgSize {
+        line,
+        name,
+        found: text.to_owned(),
+        expected: "a number above 0, as it is or in mm, cm, in, pt, pc, px or %",
+    };
+    let length = length.filter(fits).ok_or_else(found)?;
+    Ok(Some(length).filter(|length| length.unit != LengthUnit::Percent))
 }
 
 /// The map from the view box of an element, if it has one, to its viewport of this size.
@@ -131,8 +150,8 @@ pub(super) fn length(text: &str, whole: Option<f64>, line: usize) -> Result<f64,
 impl Size {
     /// The size that an element has in a viewport of this size: all of it if it does not say.
     pub(super) fn inner(self, node: Node<'_, '_>, line: usize) -> Result<Self, DrawingError> {
-        let width = attribute(node, "width", self.width, line)?.or(self.width);
-        let height = attribute(node, "height", self.height, line)?.or(self.height);
+        let width = size(node, "width", self.width, line)?.or(self.width);
+        let height = size(node, "height", self.height, line)?.or(self.height);
         Ok(Self { width, height })
     }
 
@@ -162,6 +181,25 @@ impl Size {
         let (width, height) = (self.width?, self.height?);
         Some(width.hypot(height) / std::f64::consts::SQRT_2)
     }
+}
+
+/// The size in an attribute of an element, not negative, if it has it and it is not `auto`.
+pub(super) fn size(
+    node: Node<'_, '_>,
+    name: &'static str,
+    whole: Option<f64>,
+    line: usize,
+) -> Result<Option<f64>, DrawingError> {
+    let Some(text) = node.attribute(name).filter(|text| text.trim() != "auto") else {
+        return Ok(None);
+    };
+    let found = || DrawingError::SvgSize {
+        line,
+        name,
+        found: text.to_owned(),
+        expected: "one that is not negative",
+    };
+    Some(length(text, whole, line)?).filter(|size| *size >= 0.0).ok_or_else(found).map(Some)
 }
 
 fn parsed(text: &str, line: usize) -> Result<Length, DrawingError> {

@@ -1,6 +1,6 @@
 //! What decides whether an element of an SVG file is seen.
 
-use roxmltree::Node;
+use roxmltree::{Document, Node};
 
 use crate::source::Reason;
 
@@ -42,6 +42,19 @@ impl Style {
             None
         }
     }
+}
+
+/// What the style sheets of a file are in, each by its name; those without rules are none.
+pub(super) fn sheets<'a>(document: &'a Document<'_>) -> impl Iterator<Item = &'a str> {
+    let has_rules = |node: Node<'_, '_>| {
+        let mut texts = node.children().filter_map(|child| child.text());
+        texts.any(|text| !text.trim().is_empty())
+    };
+    document.descendants().filter_map(move |node| {
+        let linked = node.pi().map(|instruction| instruction.target);
+        let own = (node.tag_name().name() == "style" && has_rules(node)).then_some("style");
+        linked.filter(|target| *target == "xml-stylesheet").or(own)
+    })
 }
 
 /// A property by the `style` of an element, or else by an attribute.

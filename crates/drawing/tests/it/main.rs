@@ -2,7 +2,9 @@
 #![cfg(test)]
 
 mod dxf;
+mod dxf_rules;
 mod files;
 mod refusals;
 mod sketch;
 mod svg;
+mod svg_rules;

@@ -64,6 +64,11 @@ fn contours_that_are_none() {
             &["on layer `A` and the LINE", "on layer `B` cross or touch near"],
         ),
         (
+            "half out",
+            square() + "CIRCLE B 10 10 20 5 40 2",
+            &["on layer `A` and the CIRCLE", "on layer `B` cross or touch near (1"],
+        ),
+        (
             "bow",
             loop_of("A", &[[0.0, 0.0], [9.0, 9.0], [9.0, 0.0], [0.0, 8.0]]),
             &["cross or touch near"],
@@ -105,6 +110,11 @@ fn entities_that_are_none() {
             "line 28: the CIRCLE has no value with the group code 40",
         ),
         ("radius", "CIRCLE A 10 0 20 0 40 -5", "line 28: the CIRCLE has the radius -5"),
+        (
+            "ratio",
+            "ELLIPSE A 10 0 20 0 11 4 21 0 40 0",
+            "line 28: the ELLIPSE has the ratio of axes 0",
+        ),
         ("length", "LWPOLYLINE A 90 2 70 1 10 4 20 4 10 4 20 4", "the LWPOLYLINE has no length"),
         ("degree", "SPLINE A 71 0 10 0 20 0", "the SPLINE has the degree 0, expected one from 1"),
         ("few", "SPLINE A 71 3 10 0 20 0 10 1 20 1", "has 2 control points, expected at least 4"),
@@ -154,6 +164,7 @@ fn files_that_are_no_drawings() {
         ("a drawing\n", "line 1: found `a drawing`, expected a group code"),
         (" \n", "the file is empty, expected a drawing"),
         ("AC1015\0\0", "is a DWG file, expected DXF in text form"),
+        ("0\0\n\0S\0E\0", "looks like text in UTF-16, expected it in UTF-8"),
         ("AutoCAD Binary DXF\r\n\x1a\0", "is a binary DXF file"),
     ] {
         assert_says(&error(Sheet::from_dxf(content.as_bytes(), &[]), None), &[piece]);
@@ -161,6 +172,7 @@ fn files_that_are_no_drawings() {
     for (content, piece) in [
         (&b"<svg><g></svg>"[..], "is not valid XML: expected 'g' tag, not 'svg' at 1:9"),
         (b"<html/>", "has the root element `html`, expected svg"),
+        (b"\xff\xfe<\0s\0", "looks like text in UTF-16, expected it in UTF-8"),
         (b"<svg>\xff</svg>", "byte 5 is not UTF-8, expected an SVG file in UTF-8"),
     ] {
         assert_says(&error(Sheet::from_svg(content, &[]), None), &[piece]);
@@ -214,21 +226,30 @@ fn scales_and_chords_are_positive() {
 fn faults_of_svg_files_are_told_with_their_line() {
     let deep = format!("{}<rect width=\"4\" height=\"4\"/>{}", "<g>".repeat(80), "</g>".repeat(80));
     for (name, content, piece) in [
-        ("path", "<path d=\"M0 0 L4 x\"/>", "line 2: the data of the path is not valid"),
+        (
+            "path",
+            "<path d=\"M0 0 L4 x,7\"/>",
+            "line 2: the data of the path has `x` at its character 9, expected commands and",
+        ),
         (
             "path-1e999",
             "<path d=\"M0 0 L1e999 4 L4 4 Z\"/>",
-            "line 2: the data of the path is not valid",
+            "line 2: the data of the path has `1e999` at its character 7",
         ),
+        ("path-start", "<path d=\"L4 4\"/>", "line 2: the data of the path has `L4` at its char"),
+        ("path-ends", "<path d=\"M0 0 L4\"/>", "line 2: the data of the path ends too early"),
         (
             "far",
             "<g transform=\"scale(1e90)\"><path d=\"M0 0 L1e20 4 L4 4 Z\"/></g>",
             "line 2: the path has coordinates beyond 1e100",
         ),
-        ("path-empty", "<path d=\"M0 0\"/>", "line 2: the path has no length"),
+        (
+            "path-empty",
+            "<path d=\"M0 0\"/>",
+            "no curves that could be the outline, only 1 path on no layer (without a size)",
+        ),
         ("unit", "<circle r=\"4em\"/>", "line 2: found `4em`, expected a length"),
         ("nan", "<circle r=\"nan\"/>", "line 2: found `nan`, expected a length"),
-        ("radius", "\n<circle r=\"-4\"/>", "line 3: the circle has no length"),
         ("transform", "<g transform=\"turn(5)\"/>", "line 2: found `turn(5)`, expected transform"),
         ("use", "<use href=\"#none\"/>", "line 2: there is no element `#none`"),
         ("link", "<use href=\"other.svg#a\"/>", "there is no element `other.svg#a`"),

@@ -11,6 +11,7 @@ use crate::failure::Failure;
 use crate::picture::{Figures, Scene};
 use crate::report::UnitNames;
 use crate::report::analysis_text::AnalysisText;
+use crate::report::drawing::DrawingReport;
 use crate::report::load_case::{LoadCaseReport, Turning};
 use crate::report::page::Page;
 use crate::wording::digits;
@@ -42,13 +43,17 @@ pub(crate) fn of_analysis(
         Section::filled("Stiffness matrix", written(|page| text.stiffness(page))),
     ];
     let mut facts = Page::default();
+    if let Some(drawing) = &report.drawing {
+        drawing.facts(&mut facts, text.units());
+    }
     text.facts(&mut facts);
+    let drawn = report.drawing.iter().flat_map(DrawingReport::warnings);
     let scene = figures.scene.as_ref().map(Scene::json).transpose()?;
     let sheet = Sheet {
         title: text.name,
         units: text.units().to_string(),
         headline: headline(text),
-        warnings: report.warnings.clone(),
+        warnings: drawn.chain(report.warnings.iter().cloned()).collect(),
         facts,
         sections: sections.into_iter().flatten().collect(),
         scene,

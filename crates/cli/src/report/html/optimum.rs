@@ -10,6 +10,7 @@ use super::typeset::typeset;
 use super::viewer;
 use crate::failure::Failure;
 use crate::picture::{Figures, Scene};
+use crate::report::drawing::DrawingReport;
 use crate::report::optimum_text::OptimumText;
 use crate::report::page::{Line, Page};
 use crate::report::words::{EndWord, ObjectiveWord};
@@ -36,6 +37,9 @@ pub(crate) fn of_optimum(
         Section::filled("Ranking", ranking(text, figures)),
     ];
     let mut facts = Page::default();
+    if let Some(drawing) = text.report.question.drawing {
+        drawing.facts(&mut facts, text.units());
+    }
     text.facts(&mut facts);
     let scene = figures.scene.as_ref().map(Scene::json).transpose()?;
     let sheet = Sheet {
@@ -95,13 +99,14 @@ fn headline(text: &OptimumText<'_>) -> Headline {
     Headline { text: format!("{objective} = {value}{quality}"), badges: vec![badge] }
 }
 
-/// The warning of the text, whose limits on a solid are lines of their own.
+/// The warnings of the text, whose limits on a solid are lines of their own.
 fn warnings(text: &OptimumText<'_>) -> Vec<String> {
+    let drawn = text.report.question.drawing.into_iter().flat_map(DrawingReport::warnings);
     let mut page = Page::default();
     text.limits(&mut page);
     let texts = page.lines().iter().filter_map(|line| match line {
         Line::Head { text, .. } => Some(text.clone()),
         _ => None,
     });
-    texts.collect()
+    drawn.chain(texts).collect()
 }
