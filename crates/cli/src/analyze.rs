@@ -222,6 +222,7 @@ impl<'a> Question<'a> {
         }
         let failed = report.verdict.filter(|verdict| self.arguments.check && !verdict.passes);
         let failed_check = failed.map(|verdict| verdict.reasons.join("; "));
-        Ok(Answer { report: text, page, picture, meshes, reason: report.reason, failed_check })
+        let (picture, reason) = (Some(picture), report.reason);
+        Ok(Answer { report: text, page, picture, meshes, reason, failed_check })
     }
 }

@@ -11,8 +11,8 @@ pub(crate) struct Answer {
     pub(crate) report: String,
     /// The report for a browser, if it was asked for and there is something to show.
     pub(crate) page: Option<String>,
-    /// The grasp, or the part alone.
-    pub(crate) picture: Picture,
+    /// The grasp, if there is one: without fingers nothing replaces a picture of before.
+    pub(crate) picture: Option<Picture>,
     /// The files that were read besides those of the command line.
     pub(crate) meshes: Vec<PathBuf>,
     /// Why there is no quality, or why the fingers cannot hold the part.

@@ -25,9 +25,15 @@ pub(crate) enum Failure {
     /// A file that is no text.
     #[error("{name}: byte {offset} is not UTF-8; expected a TOML or JSON file in UTF-8")]
     NotText { name: String, offset: usize },
+    /// A file without an end, or nearly so.
+    #[error("{name}: has more than {most} bytes, the size of the largest file that is read")]
+    TooLarge { name: String, most: u64 },
     /// A picture that would overwrite the input.
     #[error("{name}: is the input file; expected another name for what is written")]
     SameFile { name: String },
+    /// A file to write in a folder that is not there.
+    #[error("{name}: cannot be written: there is no folder {folder}")]
+    NoFolder { name: String, folder: String },
     /// A picture that cannot be written; what was there before still is.
     #[error("{name}: cannot be written: {source}")]
     Unwritable { name: String, source: io::Error },
@@ -120,7 +126,9 @@ impl Failure {
             _ if self.is_usage() => Kind::Usage,
             Self::Unreadable { .. }
             | Self::NotText { .. }
+            | Self::TooLarge { .. }
             | Self::SameFile { .. }
+            | Self::NoFolder { .. }
             | Self::Unwritable { .. }
             | Self::Output(_) => Kind::File,
             _ => Kind::Input,
@@ -133,7 +141,9 @@ impl Failure {
             Self::Input(error) => Some(error.file()),
             Self::Unreadable { name, .. }
             | Self::NotText { name, .. }
+            | Self::TooLarge { name, .. }
             | Self::SameFile { name }
+            | Self::NoFolder { name, .. }
             | Self::Unwritable { name, .. }
             | Self::NothingToCheck { name }
             | Self::Search { name, .. }

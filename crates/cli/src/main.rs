@@ -34,6 +34,7 @@ use crate::arguments::{Arguments, Command, CompletionsArguments, Format, OutputA
 use crate::color::ColorArgument;
 use crate::complaint::{Kind, Voice};
 use crate::failure::Failure;
+use crate::output::Draft;
 
 /// Bad input; nothing was written.
 const BAD_INPUT: u8 = 1;
@@ -50,8 +51,8 @@ fn main() -> ExitCode {
         Err(code) => return code,
     };
     let (answer, output) = match &arguments.command {
-        Command::Analyze(a) => (finish(analyze::analyze(a), &[&a.grasp], &a.output), &a.output),
-        Command::Optimize(a) => (finish(optimize::optimize(a), &a.files(), &a.output), &a.output),
+        Command::Analyze(a) => (run(|| analyze::analyze(a), &[&a.grasp], &a.output), &a.output),
+        Command::Optimize(a) => (run(|| optimize::optimize(a), &a.files(), &a.output), &a.output),
         Command::Completions(a) => return completed(a),
     };
     let voice = Voice::of(output);
@@ -85,25 +86,29 @@ fn completed(arguments: &CompletionsArguments) -> ExitCode {
     }
 }
 
-/// Draws the picture, writes the report, then the files: one that cannot be written must not cost
-/// the answer.
-fn finish(
-    answer: Result<Answer, Failure>,
+/// Finds the answer, if it can be written then: a search may take long.
+fn run(
+    answer: impl FnOnce() -> Result<Answer, Failure>,
     inputs: &[&Path],
     output: &OutputArguments,
 ) -> Result<Answer, Failure> {
-    let answer = answer?;
-    let picture = match &output.svg {
-        None => None,
-        Some(path) => Some((path, answer.picture.figure()?.to_svg())),
-    };
-    let page = output.report.as_ref().zip(answer.page.clone());
-    let files: Vec<_> = picture.into_iter().chain(page).collect();
-    for (path, _) in &files {
-        let meshes = answer.meshes.iter().map(PathBuf::as_path);
-        inputs.iter().copied().chain(meshes).try_for_each(|i| output::check_apart(path, i))?;
-    }
-    output::write_report(&answer.report)?;
-    files.iter().try_for_each(|(path, content)| output::write_file(path, content))?;
+    output.check_apart(inputs.iter().copied())?;
+    output.files().try_for_each(output::check_writable)?;
+    let answer = answer()?;
+    output.check_apart(answer.meshes.iter().map(PathBuf::as_path))?;
+    finish(&answer, output)?;
     Ok(answer)
+}
+
+/// Writes the files but for their names, then the report: what has become unwritable must not cost
+/// the answer. Files get their names when all else is written.
+fn finish(answer: &Answer, output: &OutputArguments) -> Result<(), Failure> {
+    let picture = answer.picture.as_ref().zip(output.svg.as_ref());
+    let picture = picture.map(|(picture, path)| Ok((path, picture.figure()?.to_svg())));
+    let page = output.report.as_ref().zip(answer.page.clone());
+    let files = picture.into_iter().chain(page.map(Ok)).collect::<Result<Vec<_>, Failure>>()?;
+    let drafts = files.iter().map(|(path, content)| Draft::new(path, content));
+    let drafts = drafts.collect::<Result<Vec<_>, Failure>>();
+    output::write_report(&answer.report)?;
+    drafts?.into_iter().try_for_each(Draft::publish)
 }

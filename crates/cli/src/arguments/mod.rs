@@ -6,14 +6,15 @@ mod value;
 
 use std::env;
 use std::ffi::OsString;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 use clap::error::ErrorKind;
 use clap::{Args, CommandFactory, Parser, Subcommand, ValueEnum};
 
 use crate::color::ColorArgument;
-use crate::{WRONG_USAGE, complaint};
+use crate::failure::Failure;
+use crate::{WRONG_USAGE, complaint, output};
 
 pub(crate) use optimize::{ObjectiveArgument, OptimizeArguments};
 pub(crate) use value::FrameArgument;
@@ -201,7 +202,8 @@ pub(crate) struct OutputArguments {
     /// The form of the report.
     #[arg(long, value_enum, default_value = "text")]
     pub(crate) format: Format,
-    /// Draw the grasp into this file, always in the frame of the input file.
+    /// Draw the grasp into this file, always in the frame of the input file. A search without an
+    /// answer writes no file.
     #[arg(long, value_name = "FILE")]
     pub(crate) svg: Option<PathBuf>,
     /// Write a page with pictures, tables and the inputs into this HTML file: it needs nothing
@@ -214,8 +216,34 @@ pub(crate) struct OutputArguments {
 }
 
 impl OutputArguments {
-    /// Checks that no file is written over another.
+    /// The files to write.
+    pub(crate) fn files(&self) -> impl Iterator<Item = &Path> {
+        [&self.svg, &self.report].into_iter().flatten().map(PathBuf::as_path)
+    }
+
+    /// Checks that none of them is one of the `inputs`.
+    pub(crate) fn check_apart<'a>(
+        &self,
+        inputs: impl IntoIterator<Item = &'a Path>,
+    ) -> Result<(), Failure> {
+        let mut inputs = inputs.into_iter();
+        inputs.try_for_each(|input| {
+            self.files().try_for_each(|path| output::check_apart(path, input))
+        })
+    }
+
+    /// Checks that the files to write have names, and are not one.
     fn checked(&self) -> Result<(), (ErrorKind, String)> {
+        for (option, path) in [("--svg", &self.svg), ("--report", &self.report)] {
+            let Some(path) = path else { continue };
+            if path.as_os_str() == "-" {
+                let message = format!(
+                    "{option}: found `-`, expected the name of a file: standard output has the \
+                     report; a file of this name is `./-`"
+                );
+                return Err((ErrorKind::ValueValidation, message));
+            }
+        }
         if self.svg.is_some() && self.svg == self.report {
             let message = "--svg and --report have the same file, expected one each".to_owned();
             return Err((ErrorKind::ArgumentConflict, message));

@@ -23,8 +23,8 @@ const SOLID_GAP: f64 = 0.05;
 /// The time of a search that closes in.
 const DEFAULT_TIME: Duration = Duration::from_mins(1);
 
-/// Three fingers hold an outline by their preload; two never do.
-const FEWEST_ON_OUTLINE: usize = 3;
+/// More than three fingers on one plane hold a solid hardly better than three.
+const MOST_ON_FACE: usize = 3;
 
 /// What to optimize, and how.
 #[derive(Debug, Args)]
@@ -82,9 +82,9 @@ pub(crate) struct OptimizeArguments {
     #[arg(long, value_name = "EDGE[:FROM-TO]", value_parser = value::forbidden)]
     #[arg(allow_hyphen_values = true)]
     pub(crate) forbid: Vec<Forbidden>,
-    /// On a solid: at most so many of the placed fingers on one plane.
-    #[arg(long, value_name = "N", value_parser = value::one_or_more, default_value = "3")]
-    pub(crate) most_on_face: NonZeroUsize,
+    /// On a solid: at most so many of the placed fingers on one plane; 3 if left out.
+    #[arg(long, value_name = "N", value_parser = value::one_or_more)]
+    most_on_face: Option<NonZeroUsize>,
     /// On a solid: a motion counts as free if no contact has a lever of more than this part of the
     /// part's reach on it.
     #[arg(long, value_name = "R", value_parser = value::not_negative)]
@@ -157,6 +157,11 @@ impl OptimizeArguments {
         Effort { top: self.top, gap, time, nodes: self.nodes }
     }
 
+    /// How many of the placed fingers may be on one plane of a solid.
+    pub(crate) fn most_on_face(&self) -> usize {
+        self.most_on_face.map_or(MOST_ON_FACE, NonZeroUsize::get)
+    }
+
     /// What is maximized on a part of this dimension.
     pub(crate) fn maximized(&self, dimension: u8) -> ObjectiveArgument {
         let default =
@@ -197,15 +202,17 @@ impl OptimizeArguments {
     /// Checks that the options go with an outline.
     pub(crate) fn check_for_outline(&self) -> Result<(), String> {
         let (count, share_limit) = (self.fingers, (self.fingers as f64).recip());
-        let fewest = FEWEST_ON_OUTLINE;
-        if !(fewest..=MOST_FINGERS).contains(&count) {
-            let range = format!("from {fewest} to {MOST_FINGERS}");
-            return Err(format!("--fingers: found {count}, expected {range} on an outline"));
+        if !(value::FEWEST_ON_OUTLINE..=MOST_FINGERS).contains(&count) {
+            return Err(format!("--fingers: {}", value::other_fingers(count)));
         }
-        for (option, given) in [("--fix", &self.fix), ("--candidates", &self.candidates)] {
-            if given.is_some() {
-                return Err(format!("{option} goes with a solid, but the part is an outline"));
-            }
+        let given = [
+            ("--fix", self.fix.is_some()),
+            ("--candidates", self.candidates.is_some()),
+            ("--most-on-face", self.most_on_face.is_some()),
+            ("--roundness", self.roundness.is_some()),
+        ];
+        if let Some((option, _)) = given.iter().find(|(_, given)| *given) {
+            return Err(format!("{option} goes with a solid, but the part is an outline"));
         }
         if count == 3 && self.preload.is_none() {
             let message = "--fingers 3 needs --preload <F>, the sum of all contact forces: three \

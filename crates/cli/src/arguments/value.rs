@@ -1,15 +1,20 @@
 //! Values of options, each with words for what is expected of it.
 
+use std::fmt::Display;
 use std::num::NonZeroUsize;
 use std::time::Duration;
 
+use clench::optimize::polygon::MOST_FINGERS as MOST_ON_OUTLINE;
 use clench::optimize::polyhedron::MOST_FINGERS;
 
 use crate::input::schema::{Forbidden, ForbiddenLayer, ForbiddenStretch, Units};
-use crate::input::{Finite, Label, LayerStiffness, Name, Whole};
+use crate::input::{FORCE, Finite, Label, LayerStiffness, Name, Whole};
 
 /// Beside contacts that are given, one may be placed.
 const FEWEST_FINGERS: usize = 1;
+
+/// Three fingers hold an outline by their preload; two never do.
+pub(super) const FEWEST_ON_OUTLINE: usize = 3;
 
 /// Coordinates of a frame up to here leave products of three of them in the range of numbers.
 const LARGEST_FRAME: f64 = 1e90;
@@ -36,7 +41,15 @@ pub(super) fn fingers(text: &str) -> Result<usize, String> {
     let count = text.trim().parse().ok();
     count
         .filter(|count| (FEWEST_FINGERS..=MOST_FINGERS).contains(count))
-        .ok_or_else(|| format!("found {text}, expected from {FEWEST_FINGERS} to {MOST_FINGERS}"))
+        .ok_or_else(|| other_fingers(text))
+}
+
+/// That there cannot be so many fingers: only a part that is known says which range holds.
+pub(super) fn other_fingers(found: impl Display) -> String {
+    format!(
+        "found {found}, expected from {FEWEST_ON_OUTLINE} to {MOST_ON_OUTLINE} on an outline, on \
+         a solid from {FEWEST_FINGERS} to {MOST_FINGERS}"
+    )
 }
 
 pub(super) fn positive(text: &str) -> Result<f64, String> {
@@ -86,7 +99,10 @@ pub(super) fn units(text: &str) -> Result<Units, String> {
         layer(name.trim())
             .map_err(|_| format!("found `{text}`, expected the name of a unit, such as mm or mm,N"))
     };
-    let (length, force) = text.split_once(',').unwrap_or((text, "N"));
+    let (length, force) = text.split_once(',').unwrap_or((text, FORCE));
+    if force.contains(',') {
+        return Err(format!("found `{text}`, expected one unit of length and one of force"));
+    }
     Ok(Units { length: named(length)?, force: named(force)? })
 }
 

@@ -9,7 +9,7 @@ use super::schema::{self, File, Part, Planar, Spatial, Units};
 use crate::failure::Failure;
 
 /// The force unit of numbers whose unit of length alone is named.
-const FORCE: &str = "N";
+pub(crate) const FORCE: &str = "N";
 
 /// What the command line says of such a part.
 #[derive(Clone, Debug, Default)]

@@ -1,7 +1,5 @@
 //! An input file: its text, its values, and the errors that point into it.
 
-use std::fs;
-use std::io::{self, Read};
 use std::path::{Path, PathBuf};
 
 use serde::Deserialize;
@@ -12,12 +10,10 @@ use super::node::{Node, Value};
 use super::place::Place;
 use super::reader::Reader;
 use super::schema::{self, File, VERSION};
+use super::text::text_of;
 use super::{json_tree, toml_tree};
 use crate::failure::Failure;
 use crate::report::html::Source;
-
-/// The name that stands for standard input.
-const STANDARD_INPUT: &str = "-";
 
 /// A file that was read, and what it says.
 #[derive(Debug)]
@@ -123,22 +119,4 @@ fn language(path: &Path, text: &str) -> Language {
     let ends = |ending: &str| path.extension().is_some_and(|e| e.eq_ignore_ascii_case(ending));
     let json = ends("json") || (!ends("toml") && text.trim_start().starts_with('{'));
     if json { Language::Json } else { Language::Toml }
-}
-
-/// The name and the text of a file, without a byte-order mark.
-fn text_of(path: &Path) -> Result<(String, String), Failure> {
-    let (name, bytes) = if path == Path::new(STANDARD_INPUT) {
-        let mut bytes = Vec::new();
-        let read = io::stdin().lock().read_to_end(&mut bytes).map(|_| bytes);
-        ("standard input".to_owned(), read)
-    } else {
-        (path.display().to_string(), fs::read(path))
-    };
-    let bytes = bytes.map_err(|source| Failure::Unreadable { name: name.clone(), source })?;
-    let text = String::from_utf8(bytes).map_err(|e| Failure::NotText {
-        name: name.clone(),
-        offset: e.utf8_error().valid_up_to(),
-    })?;
-    let text = text.strip_prefix('\u{feff}').map_or_else(|| text.clone(), str::to_owned);
-    Ok((name, text))
 }

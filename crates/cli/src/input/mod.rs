@@ -38,9 +38,10 @@ mod json_tree;
 mod node;
 mod reader;
 mod shield;
+mod text;
 mod toml_tree;
 
-pub(crate) use alone::{Alone, LayerStiffness, part_file};
+pub(crate) use alone::{Alone, FORCE, LayerStiffness, part_file};
 pub(crate) use boundary::{Piece, PieceKind};
 pub(crate) use document::Document;
 pub(crate) use drawn::{Asked, Drawn, drawn};

@@ -165,20 +165,21 @@ fn answered(
         let inputs = Inputs { texts: &texts, others: &meshes };
         page = Some(html::of_optimum(words, figures, inputs)?);
     }
+    let picture = Some(picture);
     Ok(Answer { report: text, page, picture, meshes, reason: None, failed_check: None })
 }
 
-/// The answer that there is none.
+/// The answer that there is none: no picture and no page, which would replace those of before.
 fn unanswered(
     arguments: &OptimizeArguments,
     question: &Question<'_>,
     error: &OptimizeError,
-    Shown { picture, meshes, .. }: Shown,
 ) -> Result<Answer, Failure> {
     let reason = error.to_string();
     let report = match arguments.output.format {
         Format::Text => String::new(),
         Format::Json => report::json(&UnansweredReport { question, reason: &reason })?,
     };
-    Ok(Answer { report, page: None, picture, meshes, reason: Some(reason), failed_check: None })
+    let (page, picture, meshes) = (None, None, Vec::new());
+    Ok(Answer { report, page, picture, meshes, reason: Some(reason), failed_check: None })
 }

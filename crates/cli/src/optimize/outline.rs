@@ -1,5 +1,7 @@
 //! The placement of fingers on an outline.
 
+use std::path::PathBuf;
+
 use clench::contact::Geometry;
 use clench::optimize::polygon::{Fingers, Part, ThreeFingers, fingers, three_fingers};
 use clench::optimize::{Effort, OptimizeError, Outcome, Placement, Solution};
@@ -30,15 +32,14 @@ pub(super) fn optimize(
     add_restrictions(&mut file.part, arguments);
     let effort = arguments.effort_on_outline();
     let drawing = drawn.map(DrawingReport::new);
-    let meshes = drawn.map(|drawn| drawn.path.clone()).into_iter().collect();
+    let meshes: Vec<_> = drawn.map(|drawn| drawn.path.clone()).into_iter().collect();
+    arguments.output.check_apart(meshes.iter().map(PathBuf::as_path))?;
     let question =
         Question { drawing: drawing.as_ref(), ..super::question(arguments, &file, (2, &effort)) };
     let outcome = match search(&part, &question, (arguments, &effort)) {
         Ok(outcome) => outcome,
         Err(error) if super::is_unanswered(&error) => {
-            let picture = Picture::Outline(picture::of_outline(part.outline()));
-            let shown = Shown { picture, figures: None, texts: Vec::new(), meshes };
-            return super::unanswered(arguments, &question, &error, shown);
+            return super::unanswered(arguments, &question, &error);
         }
         Err(error) => return Err(super::refused(document.name(), error)),
     };

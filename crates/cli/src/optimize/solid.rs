@@ -1,6 +1,6 @@
 //! The placement of fingers on a solid, on its faces or among candidates.
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use clench::contact::{Curvature, Geometry};
 use clench::optimize::polyhedron::{self, Fingers, Part, ROUNDNESS, Spacing, Touch, fingers_among};
@@ -52,13 +52,14 @@ pub(super) fn optimize(
     arguments.check_for_solid().map_err(|message| Failure::Usage { message })?;
     let tip = asked_tip(arguments, document, &mut file)?;
     let mut task = Task::new(arguments, document, &file, (body, &tip))?;
-    let meshes = input::mesh_file(document, &file.part).into_iter().collect();
+    let meshes: Vec<_> = input::mesh_file(document, &file.part).into_iter().collect();
+    arguments.output.check_apart(meshes.iter().map(PathBuf::as_path))?;
     name_mesh(&mut file.part, document);
     let question = Question {
         // Candidates may be anywhere.
         most_on_face: Some(match arguments.candidates {
             Some(_) => arguments.fingers,
-            None => arguments.most_on_face.get(),
+            None => arguments.most_on_face(),
         }),
         roundness: Some(arguments.roundness.unwrap_or(ROUNDNESS)),
         flatness: Some(body.shape.flatness),
@@ -67,10 +68,7 @@ pub(super) fn optimize(
     let outcome = match task.restricted(&tip).and_then(|()| task.search(&question)) {
         Ok(outcome) => outcome,
         Err(error) if super::is_unanswered(&error) => {
-            let fixed: Vec<Touch> = task.fixed.iter().map(GivenContact::touch).collect();
-            let picture = Picture::Solid(picture::of_solid(&body.shape, &fixed));
-            let shown = Shown { picture, figures: None, texts: Vec::new(), meshes };
-            return super::unanswered(arguments, &question, &error, shown);
+            return super::unanswered(arguments, &question, &error);
         }
         Err(error) => return Err(super::refused(document.name(), error)),
     };
@@ -194,7 +192,7 @@ impl<'a> Task<'a> {
             fixed: self.fixed.iter().map(GivenContact::touch).collect(),
             objective: arguments.objective(3),
             least_share: arguments.least_share,
-            most_on_face: arguments.most_on_face.get(),
+            most_on_face: arguments.most_on_face(),
             roundness: arguments.roundness.unwrap_or(ROUNDNESS),
             spacing: Spacing {
                 radius: arguments.finger_radius,

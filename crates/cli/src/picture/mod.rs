@@ -8,9 +8,9 @@ mod solid;
 use clench_draw::{DrawError, Figure, GraspPicture, SolidPicture};
 
 pub(crate) use figures::Figures;
-pub(crate) use outline::{of_analysis, of_optimum, of_outline};
+pub(crate) use outline::{of_analysis, of_optimum};
 pub(crate) use scene::Scene;
-pub(crate) use solid::{of_analysis_in_space, of_optimum_on_solid, of_solid};
+pub(crate) use solid::{of_analysis_in_space, of_optimum_on_solid};
 
 /// A picture of the plane or of space.
 #[derive(Debug)]

@@ -36,7 +36,7 @@ const STRIP_IN_HOLE: f64 = 0.15;
 const SHOWN_HOLES: f64 = 1e3;
 
 /// The part, without fingers.
-pub(crate) fn of_outline(outline: &Polygon) -> GraspPicture {
+fn of_outline(outline: &Polygon) -> GraspPicture {
     let count = outline.corners().len();
     let labels = if count <= NUMBERED_CORNERS { numbers(outline) } else { Vec::new() };
     let corners = |run: &Range<usize>| {

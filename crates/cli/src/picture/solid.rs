@@ -2,7 +2,6 @@
 
 use clench::metrics::{Principal, WorstPoint};
 use clench::optimize::Solution;
-use clench::optimize::polyhedron::Touch;
 use clench::screw::Vector;
 use clench::screw::spatial::cross;
 use clench::shape::Ellipsoid;
@@ -18,17 +17,6 @@ use crate::wording::rough_digits;
 /// An ellipsoid is drawn with this many faces around its axis, and half as many along it: the
 /// normals of neighbors differ by less than what the picture takes for an edge.
 const AROUND: usize = 48;
-
-/// The solid, with contacts that are fixed.
-pub(crate) fn of_solid(solid: &Solid, fixed: &[Touch]) -> SolidPicture {
-    let fingers = fixed.iter().enumerate().map(|(i, touch)| SolidFinger {
-        point: touch.point.to_array(),
-        inward_normal: touch.inward_normal.to_array(),
-        label: finger_name(i),
-        fixed: true,
-    });
-    SolidPicture { faces: faces(solid), fingers: fingers.collect(), ..SolidPicture::default() }
-}
 
 /// The best placement.
 pub(crate) fn of_optimum_on_solid(

@@ -165,6 +165,7 @@ fn options_that_do_not_go_with_the_part() {
         ("plate.dxf --stiffness 0", "expected more than 0"),
         ("plate.dxf --stiffness =2", "expected that of a layer"),
         ("plate.dxf --stiffness 1 --units ,N", "expected the name of a unit"),
+        ("plate.dxf --stiffness 1 --units mm,N,s", "expected one unit of length and one of force"),
         ("plate.dxf --stiffness 1 --chord 0", "expected more than 0"),
         ("a.stl --stiffness A=1", "found several"),
         ("a.stl --stiffness 1 --layer A", "--layer goes with a drawing only"),

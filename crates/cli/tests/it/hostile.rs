@@ -205,15 +205,38 @@ fn files_that_are_none() {
     assert_says(&bytes, &["part.toml: byte 8 is not UTF-8"]);
 }
 
+/// Devices and pipes have no size; no more is read of them than of the largest file.
+#[test]
+fn files_without_an_end_are_refused() {
+    let folder = Folder::new("hostile-endless");
+    let most = 1 << 25;
+    let words = format!("has more than {most} bytes, the size of the largest file that is read");
+    let large = std::fs::File::create(folder.path("large.toml")).unwrap();
+    large.set_len(most + 1).unwrap();
+    let mut lines = vec!["analyze large.toml", "optimize large.toml --fingers 4"];
+    if cfg!(unix) {
+        lines.push("analyze /dev/zero");
+    }
+    for line in lines {
+        let ran = folder.run(line);
+        assert_says(&message(&ran, line), &[&words]);
+    }
+    large.set_len(most).unwrap();
+    assert!(!message(&folder.run("analyze large.toml"), "largest").contains(&words));
+    let error = folder.run("analyze /dev/zero --format json").err;
+    assert_says(&error, &["\"kind\":\"file\""]);
+}
+
 #[test]
 fn wrong_usage_has_its_own_exit_code() {
     let folder = Folder::new("usage");
     folder.write("part.toml", part(QUADRILATERAL, "1"));
     for (arguments, piece) in [
         ("optimize part.toml", "--fingers"),
-        ("optimize part.toml --fingers 2", "found 2, expected from 3 to 8"),
-        ("optimize part.toml --fingers 9", "found 9, expected from 3 to 8"),
-        ("optimize part.toml --fingers four", "found four, expected from 1 to 12"),
+        ("optimize part.toml --fingers 2", "found 2, expected from 3 to 8 on an outline"),
+        ("optimize part.toml --fingers 9", "found 9, expected from 3 to 8 on an outline"),
+        ("optimize part.toml --fingers four", "found four, expected from 3 to 8 on an outline"),
+        ("optimize part.toml --fingers 0", "found 0, expected from 3 to 8 on an outline"),
         ("optimize part.toml --fingers 3", "--preload <F>"),
         ("optimize part.toml --fingers 3", "resist rotation by their preload alone"),
         ("optimize part.toml --fingers 4 --preload -1", "expected more than 0"),

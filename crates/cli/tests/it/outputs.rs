@@ -4,7 +4,16 @@ use std::fs;
 use std::io::Write;
 use std::process::Stdio;
 
+use clench_testkit::cases::Value;
+
 use crate::run::{Folder, QUADRILATERAL, Ran, command, figure_1, part};
+
+/// A cube that no finger may touch.
+const CUBE: &str = "[part.spatial]\nstiffness = 1\n\
+    vertices = [[0, 0, 0], [4, 0, 0], [4, 4, 0], [0, 4, 0], [0, 0, 4], [4, 0, 4], [4, 4, 4], \
+    [0, 4, 4]]\n\
+    faces = [[0, 3, 2, 1], [4, 5, 6, 7], [0, 1, 5, 4], [1, 2, 6, 5], [2, 3, 7, 6], [3, 0, 4, 7]]\n\
+    keep_out = [{ from = [-9, -9, -9], to = [9, 9, 9] }]\n";
 
 fn quadrilateral(name: &str) -> Folder {
     let folder = Folder::new(name);
@@ -31,27 +40,66 @@ fn the_picture_shows_fingers_corners_and_numbers() {
 }
 
 #[test]
-fn a_picture_that_cannot_be_written_leaves_what_is_there_and_the_report() {
+fn what_cannot_be_written_is_refused_before_the_search() {
     let folder = quadrilateral("unwritable");
-    folder.write("old.svg", "old");
-    let mut locked = fs::metadata(folder.path("old.svg")).unwrap().permissions();
+    folder.write("old.svg", "old").write("locked.svg", "old");
+    let mut locked = fs::metadata(folder.path("locked.svg")).unwrap().permissions();
     locked.set_readonly(true);
-    fs::set_permissions(folder.path("old.svg"), locked).unwrap();
+    fs::set_permissions(folder.path("locked.svg"), locked).unwrap();
     fs::create_dir(folder.path("folder.svg")).unwrap();
     for (path, piece) in [
-        ("old.svg", "old.svg: cannot be written"),
+        ("locked.svg", "locked.svg: cannot be written"),
         ("folder.svg", "folder.svg: cannot be written: is a directory"),
-        ("none/picture.svg", "none/picture.svg: cannot be written"),
+        ("none/page", "none/page: cannot be written: there is no folder none"),
+        ("old.svg/page", "old.svg/page: cannot be written: there is no folder old.svg"),
         ("part.toml", "part.toml: is the input file"),
     ] {
-        let ran = folder.run(&format!("optimize part.toml --fingers 4 --svg {path}"));
-        // A search may have taken long: its answer is not lost.
-        let reported = ran.out.contains("Q = 1.68377");
-        assert_eq!((ran.code, reported), (Some(1), path != "part.toml"), "{path}");
-        assert!(ran.err.contains(piece), "{piece}: {}", ran.err);
+        for [option, other] in [["--svg", "--report"], ["--report", "--svg"]] {
+            let written = format!("{option} {path} {other} old.svg");
+            let ran = folder.run(&format!("optimize part.toml --fingers 4 {written}"));
+            assert_eq!((ran.code, ran.out.as_str()), (Some(1), ""), "{written}");
+            assert!(ran.err.contains(piece), "{piece}: {}", ran.err);
+        }
     }
-    assert_eq!(fs::read_to_string(folder.path("old.svg")).unwrap(), "old");
-    assert_eq!(folder.names(), ["folder.svg", "old.svg", "part.toml"]);
+    for name in ["old.svg", "locked.svg"] {
+        assert_eq!(fs::read_to_string(folder.path(name)).unwrap(), "old");
+    }
+    assert_eq!(folder.names(), ["folder.svg", "locked.svg", "old.svg", "part.toml"]);
+    let line = "optimize part.toml --fingers 4 --report none/page --format json";
+    let error = folder.run(line).err.parse::<Value>().unwrap();
+    assert_eq!(error["error"]["kind"].as_str(), Some("file"));
+}
+
+/// A search without an answer has nothing better to show than what is there.
+#[test]
+fn without_an_answer_pictures_and_pages_of_before_are_kept() {
+    let folder = quadrilateral("kept-unanswered");
+    let square = "[[0, 0], [4, 0], [4, 4], [0, 4]]";
+    folder.write("square.toml", part(square, "1")).write("cube.toml", CUBE);
+    folder.write("picture.svg", "old").write("page.html", "old");
+    let written = "--svg picture.svg --report page.html";
+    for question in ["square.toml --fingers 3 --preload 1", "cube.toml --fingers 7"] {
+        let ran = folder.run(&format!("optimize {question} {written}"));
+        assert_eq!((ran.code, ran.out.as_str()), (Some(3), ""), "{question}: {}", ran.err);
+        for name in ["picture.svg", "page.html"] {
+            assert_eq!(fs::read_to_string(folder.path(name)).unwrap(), "old", "{question}");
+        }
+    }
+}
+
+/// Standard output has the report.
+#[test]
+fn a_dash_is_no_file_to_write() {
+    let folder = quadrilateral("dash-written");
+    for option in ["--svg", "--report"] {
+        let ran = folder.run(&format!("optimize part.toml --fingers 4 {option} -"));
+        assert_eq!((ran.code, ran.out.as_str()), (Some(2), ""), "{option}");
+        let expected = "found `-`, expected the name of a file: standard output has the report";
+        assert!(ran.err.contains(&format!("{option}: {expected}")), "{}", ran.err);
+    }
+    assert_eq!(folder.names(), ["part.toml"]);
+    assert_eq!(folder.run("optimize part.toml --fingers 4 --svg ./-").code, Some(0));
+    assert_eq!(folder.names(), ["-", "part.toml"]);
 }
 
 #[test]

@@ -138,7 +138,14 @@ fn rooms_that_are_none_are_refused_with_their_place() {
             ["part.planar.plate", "pitch of the plate is 0"],
         ),
         ("plate = { pitch = [1, 1], travel = 0 }", ["part.planar.plate", "travel over the plate"]),
-        ("plate = { pitch = [1, 1] }", ["part.planar.plate", "missing field `travel`"]),
+        (
+            "plate = { pitch = [1, 1] }",
+            ["part.planar.plate", "missing field `travel`, expected a positive length"],
+        ),
+        (
+            "plate = { travel = 1 }",
+            ["missing field `pitch`, expected the distances [x, y] of holes", "positive"],
+        ),
         ("plate = { pitch = [1e-7, 1], travel = 1 }", ["holes of the plate", "edge 0"]),
     ] {
         folder.write("part.toml", format!("{NOTCHED}{fields}\n"));

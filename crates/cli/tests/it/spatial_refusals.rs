@@ -24,8 +24,8 @@ fn options_that_do_not_go_with_a_solid_are_wrong_usage() {
     let folder = located("usage");
     for (options, pieces) in [
         ("--fingers 3 --forbid 1", ["--forbid goes with an outline", "a solid"]),
-        ("--fingers 0", ["found 0", "expected from 1 to 12"]),
-        ("--fingers 13", ["found 13", "expected from 1 to 12"]),
+        ("--fingers 0", ["found 0", "on a solid from 1 to 12"]),
+        ("--fingers 13", ["found 13", "on a solid from 1 to 12"]),
         ("--fingers 6", ["--fingers and --fix: 6 fingers and 0 given", "it takes 7 frictionless"]),
         ("--fingers 11 --fix fix.toml", ["--fingers and --fix: 17 contacts", "at most 16"]),
         (
@@ -44,6 +44,11 @@ fn options_that_do_not_go_with_a_solid_are_wrong_usage() {
     for option in ["--fix", "--candidates"] {
         let words = format!("{option} goes with a solid, but the part is an outline");
         refused(&folder, &format!("part.toml --fingers 4 {option} fix.toml"), 2, &[&words]);
+    }
+    for option in ["--most-on-face 3", "--roundness 0.1"] {
+        let name = option.split(' ').next().unwrap_or_default();
+        let words = format!("{name} goes with a solid, but the part is an outline");
+        refused(&folder, &format!("part.toml --fingers 4 {option}"), 2, &[&words]);
     }
     let words = ["--fingers: found 9, expected from 3 to 8 on an outline"];
     refused(&folder, "part.toml --fingers 9", 2, &words);
@@ -190,7 +195,7 @@ fn a_ball_can_always_turn() {
     let ran = folder.run(&format!("{question} --svg ball.svg"));
     assert_eq!((ran.code, ran.out.as_str()), (Some(3), ""), "{}", ran.err);
     assert_says(&ran.err, &["no answer: one motion of the part counts as free: a turn about"]);
-    assert!(folder.path("ball.svg").exists());
+    assert!(!folder.path("ball.svg").exists());
     let ran = folder.run(&format!("{question} --format json"));
     assert_eq!(ran.code, Some(3));
     assert!(ran.json()["reason"].as_str().unwrap().contains("has a lever"));

@@ -147,6 +147,13 @@ fn what_is_no_room_is_refused_with_its_place() {
         ),
         ("pitch", "plate = { pitch = [0, 1], travel = 1 }", "", 1, vec!["pitch", "positive"]),
         ("travel", "plate = { pitch = [1, 1], travel = 0 }", "", 1, vec!["travel", "candidates"]),
+        (
+            "to",
+            "keep_out = [{ from = [0, 0, 0] }]",
+            "",
+            1,
+            vec!["keep_out[0]", "missing field `to`, expected three numbers [x, y, z]"],
+        ),
         ("margin", "margin = -1", "", 1, vec!["margin is -1"]),
         ("field", "plate = { pitch = [1, 1], travle = 0 }", "", 1, vec!["travle"]),
         (

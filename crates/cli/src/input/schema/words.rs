@@ -35,10 +35,17 @@ pub(in super::super) fn expected(place: &Place, name: &str) -> &'static str {
         }
         "poisson" => "a number, at most 1/2",
         "point" | "force" if place.steps().len() > 1 => in_words(&[]),
+        "pitch" => "the distances [x, y] of holes, two positive numbers",
+        "travel" => "a positive length",
+        "from" | "to" if has(place, "keep_out") => in_words(&[3]),
         "edge" => "the number of an edge",
         "from" | "to" => "a length along the edge, from its start",
         "name" => "a name",
         "kind" => "`linear`, `power`, `hertz` or `line`",
         _ => "the name of a unit, such as \"mm\"",
     }
+}
+
+fn has(place: &Place, name: &str) -> bool {
+    place.steps().iter().any(|step| matches!(step, Step::Field(field) if field == name))
 }
