@@ -71,7 +71,8 @@ pub(crate) struct OptimizeArguments {
     #[arg(long, value_name = "C", value_parser = value::not_negative)]
     #[arg(allow_hyphen_values = true)]
     pub(crate) clearance: Option<f64>,
-    /// No finger nearer than this to an end of an edge, or on a solid to where a plane ends. The
+    /// No finger nearer than this to a corner, along the boundary, or on a solid to where a plane
+    /// ends. Corners of less than 0.5 rad are those of flattened curves and do not count. The
     /// margin of the file holds too.
     #[arg(long, value_name = "M", value_parser = value::not_negative)]
     #[arg(allow_hyphen_values = true)]

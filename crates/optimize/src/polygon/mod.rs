@@ -84,7 +84,7 @@ mod solution;
 mod tips;
 
 pub use fingers::{CROWDING_GAP, FEWEST_FINGERS, Fingers, MOST_FINGERS, fingers, four_fingers_on};
-pub use part::{LARGEST_SPREAD, Part, Stretch};
+pub use part::{LARGEST_SPREAD, Part, SMOOTH_TURN, Stretch};
 pub use three::{ThreeFingers, three_fingers, three_fingers_on};
 
 #[cfg(test)]

@@ -10,6 +10,10 @@ use crate::OptimizeError;
 /// as their ratio has; with this one, a third of the digits of a double remain.
 pub const LARGEST_SPREAD: f64 = 1e10;
 
+/// Corners at which the boundary turns by less than this (rad) are those of flattened curves: it is
+/// smooth there, as far as a margin is concerned.
+pub const SMOOTH_TURN: f64 = 0.5;
+
 /// A part of an edge that fingers may touch.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Stretch {
@@ -83,9 +87,10 @@ impl Part {
         Self::new(outline, edge_stiffness)
     }
 
-    /// The part whose edges may not be touched nearer than `margin` (length) to their ends.
+    /// The part that may not be touched nearer than `margin` (length, along the boundary) to its
+    /// corners, except those that turn by less than [`SMOOTH_TURN`].
     ///
-    /// Edges that are shorter than twice the margin are not touched at all.
+    /// Edges between two corners that are shorter than twice the margin are not touched at all.
     ///
     /// # Errors
     ///
@@ -94,13 +99,38 @@ impl Part {
         if !(margin >= 0.0 && margin.is_finite()) {
             return Err(OptimizeError::Margin { value: margin });
         }
+        let distances = self.distances_to_corners();
         for stretch in &mut self.stretches {
             let length = self.outline.edges()[stretch.edge].length();
-            stretch.from = stretch.from.max(margin);
-            stretch.to = stretch.to.min(length - margin);
+            let [before, after] = distances[stretch.edge];
+            stretch.from = stretch.from.max(margin - before);
+            stretch.to = stretch.to.min(length - (margin - after));
         }
         self.stretches.retain(|s| s.from < s.to);
         Ok(self)
+    }
+
+    /// How far it is along the boundary from the last corner that is not smooth to the start of
+    /// each edge, and from its end to the next one; infinite on a loop without such corners.
+    fn distances_to_corners(&self) -> Vec<[f64; 2]> {
+        let edges = self.outline.edges();
+        let mut distances = vec![[f64::INFINITY; 2]; edges.len()];
+        for run in self.outline.loops() {
+            let next = |edge: usize| if edge + 1 == run.end { run.start } else { edge + 1 };
+            let is_smooth = |edge: usize| {
+                edges[edge].direction().dot(edges[next(edge)].direction()) > SMOOTH_TURN.cos()
+            };
+            // Twice around, since the last corner may be behind the first edge.
+            for edge in run.clone().chain(run.clone()) {
+                let walked = distances[edge][0] + edges[edge].length();
+                distances[next(edge)][0] = if is_smooth(edge) { walked } else { 0.0 };
+            }
+            for edge in run.clone().rev().chain(run.clone().rev()) {
+                let walked = distances[next(edge)][1] + edges[next(edge)].length();
+                distances[edge][1] = if is_smooth(edge) { walked } else { 0.0 };
+            }
+        }
+        distances
     }
 
     /// The part that may not be touched on `forbidden`; what sticks out of its edge does not count.

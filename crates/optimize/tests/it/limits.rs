@@ -10,8 +10,9 @@ use clench_optimize::polygon::{
 use clench_optimize::{
     Effort, Ended, Objective, OptimizeError, Outcome, Placement, Progress, unwatched,
 };
+use clench_screw::Vector;
 use clench_shape::Polygon;
-use clench_testkit::Random;
+use clench_testkit::{Random, assert_close};
 
 const RECTANGLE: [[f64; 2]; 4] = [[0.0, 0.0], [3.0, 0.0], [3.0, 1.0], [0.0, 1.0]];
 
@@ -229,6 +230,40 @@ fn given_edges_are_for_four_fingers_and_closed_forms() {
     let rotation = Objective::Rotation { least_translation: 1.0 };
     let found = on(Fingers { objective: rotation, ..Fingers::new(4) }).unwrap().unwrap();
     assert_eq!(found.objective, found.quality.equivalent());
+}
+
+/// A half disc with a bore, both flattened to edges that are shorter than the margin: it counts
+/// along the boundary from the two real corners, wherever the numbers of edges begin.
+#[test]
+fn margins_count_from_real_corners_along_flattened_curves() {
+    let arc = |radius: f64, turn: f64, steps: i32| {
+        let at = move |i: i32| turn * f64::from(i) / f64::from(steps);
+        (0..=steps).map(move |i| [radius * at(i).cos(), radius * at(i).sin()])
+    };
+    let half: Vec<[f64; 2]> = arc(10.0, std::f64::consts::PI, 90).collect();
+    let bore: Vec<[f64; 2]> =
+        arc(1.0, std::f64::consts::TAU, 24).skip(1).map(|[x, y]| [x, y + 5.0]).collect();
+    let margin = 2.0;
+    for first in [0, 1, 45, 90] {
+        let mut corners = half.clone();
+        corners.rotate_left(first);
+        if first == 45 {
+            corners.reverse();
+        }
+        let outline = Polygon::with_holes(&corners, std::slice::from_ref(&bore)).unwrap();
+        let whole: f64 = outline.edges().iter().map(clench_shape::Edge::length).sum();
+        let part = Part::uniform(outline, 1.0).unwrap().with_margin(margin).unwrap();
+        let left: f64 = part.stretches().iter().map(|s| s.to - s.from).sum();
+        assert_close(left, whole - 4.0 * margin, 1e-12, whole, "what is left");
+        for Stretch { edge, from, to } in part.stretches() {
+            for along in [from, to] {
+                let point = part.outline().edges()[*edge].point_at(*along);
+                let corner = |x: f64| (point - Vector::new([x, 0.0])).norm();
+                // On the arc the way is longer than straight, by its cube over 24 r^2.
+                assert!(corner(10.0).min(corner(-10.0)) >= margin - 0.01, "{edge} {along}");
+            }
+        }
+    }
 }
 
 #[test]
