@@ -27,13 +27,13 @@ type Ranges = [[f64; 2]; 4];
 
 /// A part of the placements, with its best one.
 #[derive(Clone, Copy, Debug)]
-struct Part {
+struct Section {
     ranges: Ranges,
     equivalent: f64,
     moments: [f64; 4],
 }
 
-impl Ord for Part {
+impl Ord for Section {
     fn cmp(&self, other: &Self) -> Ordering {
         let key = |part: &Self| part.ranges.map(|range| range[0]);
         let (one, two) = (key(self), key(other));
@@ -43,23 +43,23 @@ impl Ord for Part {
     }
 }
 
-impl PartialOrd for Part {
+impl PartialOrd for Section {
     fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
         Some(self.cmp(other))
     }
 }
 
-impl PartialEq for Part {
+impl PartialEq for Section {
     fn eq(&self, other: &Self) -> bool {
         self.cmp(other) == Ordering::Equal
     }
 }
 
-impl Eq for Part {}
+impl Eq for Section {}
 
 /// The largest `mu_eq` of fingers that are apart.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Apart {
+pub(super) struct Parted {
     /// That of the best found, with its moments.
     pub(super) best: Option<(f64, [f64; 4])>,
     /// None is larger.
@@ -75,20 +75,20 @@ pub(super) struct Crowded<'a> {
 
 impl Crowded<'_> {
     /// The best with a `mu_eq` of more than `floor`.
-    pub(super) fn best(&self, floor: f64) -> Apart {
+    pub(super) fn best(&self, floor: f64) -> Parted {
         let scene = self.springs.scene;
         let whole = self.stretches.map(|s| [scene.supports[s].low, scene.supports[s].high]);
-        let mut open: BinaryHeap<Part> = self.solved(whole, floor).into_iter().collect();
+        let mut open: BinaryHeap<Section> = self.solved(whole, floor).into_iter().collect();
         let mut best: Option<(f64, Moments<4>)> = None;
         let (mut solved, mut left) = (0, 0.0_f64);
         while let Some(part) = open.pop() {
             let least = best.map_or(floor, |best| best.0.max(floor));
             if part.equivalent <= least * (1.0 + CROWDING_GAP) || solved > MOST_PARTS {
-                return Apart { best, bound: part.equivalent.max(left) };
+                return Parted { best, bound: part.equivalent.max(left) };
             }
             let Some((i, j)) = self.keeping.nearest_pair(&self.stretches, &part.moments) else {
                 let best = Some((part.equivalent, part.moments));
-                return Apart { best, bound: part.equivalent.max(left) };
+                return Parted { best, bound: part.equivalent.max(left) };
             };
             if let Some(found) = self.parted(&part.moments).filter(|found| found.0 > least) {
                 best = Some(found);
@@ -103,11 +103,11 @@ impl Crowded<'_> {
                 open.extend(self.solved(ranges, least));
             }
         }
-        Apart { best, bound: best.map_or(floor, |best| best.0).max(left) }
+        Parted { best, bound: best.map_or(floor, |best| best.0).max(left) }
     }
 
     /// The best placement within `ranges`, if it exceeds `floor`.
-    fn solved(&self, ranges: Ranges, floor: f64) -> Option<Part> {
+    fn solved(&self, ranges: Ranges, floor: f64) -> Option<Section> {
         let scene = self.springs.scene;
         let supports: [Support; 4] = std::array::from_fn(|i| {
             scene.supports[self.stretches[i]].narrowed(ranges[i], scene.center)
@@ -119,7 +119,7 @@ impl Crowded<'_> {
         }
         let peak = quadruple.peak(floor)?;
         let moments = quadruple.moments(peak.d, peak.z);
-        Some(Part { ranges, equivalent: peak.equivalent, moments })
+        Some(Section { ranges, equivalent: peak.equivalent, moments })
     }
 
     /// The placement with its tips moved apart, and its `mu_eq`.
@@ -133,7 +133,7 @@ impl Crowded<'_> {
 
     /// The parts on either side of finger `j`, or of finger `i` where that has more room; `None`
     /// where neither is divided further.
-    fn divided(&self, part: &Part, i: usize, j: usize) -> Option<Vec<Ranges>> {
+    fn divided(&self, part: &Section, i: usize, j: usize) -> Option<Vec<Ranges>> {
         let span = |i: usize| {
             let support = &self.springs.scene.supports[self.stretches[i]];
             (part.ranges[i][1] - part.ranges[i][0]) / (support.high - support.low)

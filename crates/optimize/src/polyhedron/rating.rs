@@ -74,7 +74,7 @@ impl Rating<'_> {
     fn is_tight(&self, spots: &[Spot]) -> bool {
         self.scene.tips.as_ref().is_some_and(|tips| {
             let placed: Vec<Tip> = spots.iter().map(|&spot| self.tip(tips, spot)).collect();
-            tips.are_tight(&placed)
+            tips.are_crowded(&placed)
         })
     }
 

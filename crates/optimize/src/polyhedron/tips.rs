@@ -28,7 +28,7 @@ pub(super) struct Tip {
 
 /// A box around the centers that balls may have, and the least radius of those.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Room {
+pub(super) struct Centers {
     low: Vector<3>,
     high: Vector<3>,
     radius: f64,
@@ -63,12 +63,12 @@ impl Tips {
     }
 
     /// The centers that a finger on some points of this patch may have.
-    pub(super) fn room(&self, patch: &Patch, number: usize, points: &[Vector<3>]) -> Room {
-        let rooms = points.iter().map(|&point| {
+    pub(super) fn centers(&self, patch: &Patch, number: usize, points: &[Vector<3>]) -> Centers {
+        let boxes = points.iter().map(|&point| {
             let Tip { center, radius } = self.at(patch, number, point);
-            Room { low: center, high: center, radius }
+            Centers { low: center, high: center, radius }
         });
-        rooms.reduce(Room::joined).unwrap_or(Room {
+        boxes.reduce(Centers::joined).unwrap_or(Centers {
             low: Vector::ZERO,
             high: Vector::ZERO,
             radius: 0.0,
@@ -76,7 +76,7 @@ impl Tips {
     }
 
     /// Whether two of these balls, or one of them and a given one, are too near to each other.
-    pub(super) fn are_tight(&self, placed: &[Tip]) -> bool {
+    pub(super) fn are_crowded(&self, placed: &[Tip]) -> bool {
         self.pairs(placed).any(|(one, other)| {
             let distance = (one.center - other.center).norm();
             distance < self.least(one.radius, other.radius) - self.rounding
@@ -93,12 +93,12 @@ impl Tips {
     }
 
     /// The numbers of two placed balls that are not farther apart than they have to be by more than
-    /// `room`, or of one and none for a given one; the way from the second to the first, and how
+    /// `slack`, or of one and none for a given one; the way from the second to the first, and how
     /// much nearer they may come.
     pub(super) fn near<const K: usize>(
         &self,
         placed: &[Tip; K],
-        room: f64,
+        slack: f64,
     ) -> Vec<([Option<usize>; 2], Vector<3>, f64)> {
         let mut found = Vec::new();
         for (i, one) in placed.iter().enumerate() {
@@ -106,7 +106,7 @@ impl Tips {
             for (j, other) in others.chain(self.given.iter().map(|other| (None, other))) {
                 let way = one.center - other.center;
                 let left = way.norm() - self.least(one.radius, other.radius);
-                if let Some(way) = way.direction().filter(|_| left < room) {
+                if let Some(way) = way.direction().filter(|_| left < slack) {
                     found.push(([Some(i), j], way, left));
                 }
             }
@@ -115,41 +115,47 @@ impl Tips {
     }
 
     /// Whether in some pair each two balls are too near to each other.
-    pub(super) fn are_never_apart(&self, rooms: &[Room]) -> bool {
-        self.pairs_of_rooms(rooms).any(|(one, other)| {
+    pub(super) fn are_never_apart(&self, boxes: &[Centers]) -> bool {
+        self.pairs_of_centers(boxes).any(|(one, other)| {
             let apart = |i: usize| (one.high[i] - other.low[i]).max(other.high[i] - one.low[i]);
             let farthest = Vector::<3>::from_fn(apart).norm();
             farthest < self.least(one.radius, other.radius) - 2.0 * self.rounding
         })
     }
 
-    /// The number of the largest of the rooms in which balls may be too near to others.
-    pub(super) fn largest_in_doubt(&self, rooms: &[Room]) -> Option<usize> {
+    /// The number of the largest of the boxes in which balls may be too near to others.
+    pub(super) fn largest_in_doubt(&self, boxes: &[Centers]) -> Option<usize> {
         let is_in_doubt = |i: usize| {
-            let is_near = |other: &Room| {
-                let one = &rooms[i];
+            let is_near = |other: &Centers| {
+                let one = &boxes[i];
                 let beside =
                     |k: usize| (one.low[k] - other.high[k]).max(other.low[k] - one.high[k]);
                 let nearest = Vector::<3>::from_fn(|k| beside(k).max(0.0)).norm();
                 nearest < self.least(one.radius, other.radius)
             };
-            let others = rooms.iter().enumerate().filter(|(j, _)| *j != i);
-            others.map(|(_, room)| *room).chain(self.rooms_of_given()).any(|room| is_near(&room))
+            let others = boxes.iter().enumerate().filter(|(j, _)| *j != i);
+            others
+                .map(|(_, other)| *other)
+                .chain(self.centers_of_given())
+                .any(|other| is_near(&other))
         };
-        let size = |i: usize| (rooms[i].high - rooms[i].low).norm_squared();
-        (0..rooms.len()).filter(|&i| is_in_doubt(i)).max_by(|&i, &j| size(i).total_cmp(&size(j)))
+        let size = |i: usize| (boxes[i].high - boxes[i].low).norm_squared();
+        (0..boxes.len()).filter(|&i| is_in_doubt(i)).max_by(|&i, &j| size(i).total_cmp(&size(j)))
     }
 
-    fn pairs_of_rooms<'t>(&'t self, rooms: &'t [Room]) -> impl Iterator<Item = (Room, Room)> + 't {
-        rooms.iter().enumerate().flat_map(move |(i, &one)| {
-            let others = rooms[i + 1..].iter().copied().chain(self.rooms_of_given());
+    fn pairs_of_centers<'t>(
+        &'t self,
+        boxes: &'t [Centers],
+    ) -> impl Iterator<Item = (Centers, Centers)> + 't {
+        boxes.iter().enumerate().flat_map(move |(i, &one)| {
+            let others = boxes[i + 1..].iter().copied().chain(self.centers_of_given());
             others.map(move |other| (one, other))
         })
     }
 
-    fn rooms_of_given(&self) -> impl Iterator<Item = Room> + '_ {
-        let room = |tip: &Tip| Room { low: tip.center, high: tip.center, radius: tip.radius };
-        self.given.iter().map(room)
+    fn centers_of_given(&self) -> impl Iterator<Item = Centers> + '_ {
+        let centers = |tip: &Tip| Centers { low: tip.center, high: tip.center, radius: tip.radius };
+        self.given.iter().map(centers)
     }
 
     /// The least distance of two centers.
@@ -158,7 +164,7 @@ impl Tips {
     }
 }
 
-impl Room {
+impl Centers {
     /// Around both.
     pub(super) fn joined(self, other: Self) -> Self {
         Self {

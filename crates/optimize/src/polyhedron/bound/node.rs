@@ -48,7 +48,7 @@ impl<'a> Node<'a> {
         if is_crowded(&patches, scene.most_on_patch) {
             return None;
         }
-        if pieces.rooms(node).is_some_and(|(tips, rooms)| tips.are_never_apart(&rooms)) {
+        if pieces.centers(node).is_some_and(|(tips, centers)| tips.are_never_apart(&centers)) {
             return None;
         }
         let stiffest = |piece: &Piece| {

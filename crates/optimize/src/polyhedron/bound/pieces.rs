@@ -10,7 +10,7 @@ use clench_screw::{Mat, Vector};
 
 use crate::polyhedron::rating::Spot;
 use crate::polyhedron::scene::{Patch, Scene};
-use crate::polyhedron::tips::{Room, Tips};
+use crate::polyhedron::tips::{Centers, Tips};
 use crate::search::Piece;
 use crate::search::boxes::{arrange, largest_in_box, principal_box, value};
 
@@ -81,7 +81,7 @@ pub(crate) struct Pieces<'a> {
     corners: Vec<Vector<6>>,
     boxes: Vec<Enclosed>,
     /// Where the tips of fingers on each group are, if that matters.
-    rooms: Option<(&'a Tips, Vec<Room>)>,
+    centers: Option<(&'a Tips, Vec<Centers>)>,
 }
 
 impl<'a> Pieces<'a> {
@@ -91,45 +91,45 @@ impl<'a> Pieces<'a> {
         let mut order: Vec<_> = (0..patches.len()).collect();
         arrange(&middles, &mut order);
         let (groups, corners, boxes) = (Vec::new(), Vec::new(), Vec::new());
-        let mut tree = Self { patches, groups, order, corners, boxes, rooms: None };
+        let mut tree = Self { patches, groups, order, corners, boxes, centers: None };
         tree.grow(0, patches.len());
-        tree.rooms = scene.tips.as_ref().map(|tips| (tips, tree.all_rooms(tips)));
+        tree.centers = scene.tips.as_ref().map(|tips| (tips, tree.all_centers(tips)));
         tree
     }
 
-    /// The rooms of all groups: halves come after what they are halves of.
-    fn all_rooms(&self, tips: &Tips) -> Vec<Room> {
-        let mut rooms: Vec<Room> = Vec::with_capacity(self.groups.len());
+    /// The centers of all groups: halves come after what they are halves of.
+    fn all_centers(&self, tips: &Tips) -> Vec<Centers> {
+        let mut centers: Vec<Centers> = Vec::with_capacity(self.groups.len());
         for group in self.groups.iter().rev() {
             // The last group is the first of the list.
-            let of = |half: u32| rooms[self.groups.len() - 1 - half as usize];
+            let of = |half: u32| centers[self.groups.len() - 1 - half as usize];
             let number = self.order[group.patches.start as usize];
             let patch = &self.patches[number];
-            rooms.push(match (group.halves, &group.triangle) {
+            centers.push(match (group.halves, &group.triangle) {
                 (Some([one, other]), _) => of(one).joined(of(other)),
-                (None, Some(triangle)) => tips.room(patch, number, triangle),
-                (None, None) => tips.room(patch, number, &patch.corners),
+                (None, Some(triangle)) => tips.centers(patch, number, triangle),
+                (None, None) => tips.centers(patch, number, &patch.corners),
             });
         }
-        rooms.reverse();
-        rooms
+        centers.reverse();
+        centers
     }
 
     /// Where tips have to be apart: where those of fingers on these pieces are.
-    pub(crate) fn rooms(&self, node: &[Piece]) -> Option<(&'a Tips, Vec<Room>)> {
-        let (tips, rooms) = self.rooms.as_ref()?;
-        let room = |&piece: &Piece| {
+    pub(crate) fn centers(&self, node: &[Piece]) -> Option<(&'a Tips, Vec<Centers>)> {
+        let (tips, centers) = self.centers.as_ref()?;
+        let of = |&piece: &Piece| {
             let group = &self.groups[piece.group()];
             match group.triangle.filter(|_| piece.part() > 1) {
                 Some(triangle) => {
                     let number = self.patches(piece)[0];
                     let corners = part_of(triangle, piece.part());
-                    tips.room(&self.patches[number], number, &corners)
+                    tips.centers(&self.patches[number], number, &corners)
                 }
-                None => rooms[piece.group()],
+                None => centers[piece.group()],
             }
         };
-        Some((tips, node.iter().map(room).collect()))
+        Some((tips, node.iter().map(of).collect()))
     }
 
     /// The group of the patches from `first` to before `end` of the order.

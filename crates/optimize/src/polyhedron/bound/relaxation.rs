@@ -180,8 +180,8 @@ impl<'a> Relaxation<'a> {
             }
         }
         if !several && most.1 < SMALL_RISE * best.bound {
-            let rooms = self.pieces.rooms(pieces);
-            let in_doubt = rooms.and_then(|(tips, rooms)| tips.largest_in_doubt(&rooms));
+            let centers = self.pieces.centers(pieces);
+            let in_doubt = centers.and_then(|(tips, centers)| tips.largest_in_doubt(&centers));
             return in_doubt.filter(|&i| self.pieces.halves(pieces[i]).is_some()).unwrap_or(most.0);
         }
         most.0
