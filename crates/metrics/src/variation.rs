@@ -12,6 +12,9 @@ const DIRECTIONS: usize = 64;
 /// An angle this small ends a search: a rate errs by its square there.
 const SMALLEST_ANGLE: f64 = 1e-8;
 
+/// A loss below this part of the largest is the rounding of none.
+const NOTHING: f64 = 1e-12;
+
 /// What can change about a stiffness in one place, by the rates of the stiffness, per unit, about
 /// [`Sensitivity::origin`].
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -82,7 +85,13 @@ impl<const N: usize, const M: usize> Sensitivity<N, M> {
             let tolerance = if rate < 0.0 { *tolerance } else { 0.0 };
             (rate * tolerance, step.map(|s| s * tolerance))
         };
-        let (changes, steps): (Vec<f64>, _) = variations.iter().map(worst).unzip();
+        let mut each: Vec<(f64, [f64; 2])> = variations.iter().map(worst).collect();
+        let most = each.iter().map(|one| one.0).fold(0.0, f64::min);
+        // What loses no more than rounding loses nothing.
+        for one in each.iter_mut().filter(|one| one.0 >= NOTHING * most) {
+            *one = (0.0, [0.0, 0.0]);
+        }
+        let (changes, steps): (Vec<f64>, _) = each.into_iter().unzip();
         WorstCase { change: changes.into_iter().sum(), steps }
     }
 

@@ -277,11 +277,11 @@ impl Search<'_> {
         least > 0.0 && radius <= LARGEST_BALL && distance() < least
     }
 
-    /// The faces whose boxes are above a level of the plane and beside a ball that touches the
-    /// facet, those first into which one in its middle sinks most.
+    /// The faces whose boxes are above a level of the plane and beside a ball that rests on that
+    /// level over the facet, those first into which one in its middle sinks most.
     fn near(&self, plane: &FacetPlane, level: f64, radius: f64) -> Vec<usize> {
         let (up, at) = (plane.up(), plane.world(Vector::ZERO) * self.scale);
-        let center = at + up * radius;
+        let center = at + up * (level + radius);
         let reached = (radius + plane.half.norm()) * (1.0 + PLANE_ROUNDING) + PLANE_ROUNDING;
         let is_told = radius <= LARGEST_BALL;
         let faces = self.solid.tree.in_boxes(|low, high| {
@@ -291,7 +291,7 @@ impl Search<'_> {
                 && !(is_told && Vector::<3>::from_fn(beside).norm() > reached)
         });
         // From a center nearby, which is told from others for balls of any size.
-        let center = (at + up * radius.min(1.0)) * self.scale.recip();
+        let center = (at + up * (level + radius.min(1.0))) * self.scale.recip();
         let Polyhedron { vertices, faces: all, .. } = self.solid;
         let distance = |face: usize| foot_on(vertices, &all[face], center).distance;
         let mut near: Vec<_> = faces.map(|face| (distance(face), face)).collect();
