@@ -96,7 +96,7 @@ pub(crate) enum Failure {
     #[error("{name}: {source}")]
     Preloads { name: String, source: GraspError },
     /// A result out of the range of the numbers.
-    #[error("{name}: {source}; choose units in which lengths and forces are nearer to 1")]
+    #[error("{name}: {source}{}", nearer_to_1(.source))]
     Range { name: String, source: Box<OutOfRange> },
 }
 
@@ -165,5 +165,13 @@ impl Failure {
 impl From<InputError> for Failure {
     fn from(error: InputError) -> Self {
         Self::Input(Box::new(error))
+    }
+}
+
+/// What to do, where the `source` does not say it.
+const fn nearer_to_1(source: &OutOfRange) -> &'static str {
+    match source {
+        OutOfRange::Grasp(GraspError::OutOfRange { .. }) => "",
+        _ => "; choose units in which lengths and forces are nearer to 1",
     }
 }

@@ -3,6 +3,9 @@
 /// Numbers with these powers of ten are written without a power.
 const PLAIN_POWERS: std::ops::Range<i32> = -4..7;
 
+/// The squares of larger numbers are infinite.
+const FARTHEST: f64 = 1e154;
+
 /// More characters of a text than this are not quoted.
 const LONGEST_TEXT: usize = 40;
 
@@ -26,6 +29,12 @@ pub(crate) fn counted(count: usize, thing: &str) -> String {
 /// `value` with two significant digits, for shares that only have to be small.
 pub(crate) fn rough_digits(value: f64) -> String {
     significant(value, 2)
+}
+
+/// A distance with its unit. One whose square is out of range is known to be larger than this.
+pub(crate) fn distance(value: f64, unit: &str) -> String {
+    let (more, value) = if value.is_finite() { ("", value) } else { ("more than ", FARTHEST) };
+    format!("{more}{} {unit}", digits(value))
 }
 
 /// As much of a text of a file as a message quotes.

@@ -9,6 +9,7 @@ use clench::optimize::polyhedron::MOST_FINGERS;
 
 use crate::input::schema::{Forbidden, ForbiddenLayer, ForbiddenStretch, Units};
 use crate::input::{FORCE, Finite, Label, LayerStiffness, Name, Whole};
+use crate::wording::digits;
 
 /// Beside contacts that are given, one may be placed.
 const FEWEST_FINGERS: usize = 1;
@@ -26,7 +27,7 @@ pub(crate) struct FrameArgument(pub(crate) Vec<f64>);
 pub(super) fn frame(text: &str) -> Result<FrameArgument, String> {
     let numbers: Vec<f64> = text.split(',').map(finite).collect::<Result<_, _>>()?;
     if let Some(number) = numbers.iter().find(|number| number.abs() > LARGEST_FRAME) {
-        return Err(format!("found {number:e}, expected numbers up to {LARGEST_FRAME:e}"));
+        return Err(format!("found {}, expected numbers up to {LARGEST_FRAME:e}", digits(*number)));
     }
     match numbers.len() {
         3 | 6 => Ok(FrameArgument(numbers)),
@@ -54,18 +55,30 @@ pub(super) fn other_fingers(found: impl Display) -> String {
 
 pub(super) fn positive(text: &str) -> Result<f64, String> {
     let value = finite(text)?;
-    if value > 0.0 { Ok(value) } else { Err(format!("found {value}, expected more than 0")) }
+    if value > 0.0 {
+        Ok(value)
+    } else {
+        Err(format!("found {}, expected more than 0", digits(value)))
+    }
 }
 
 pub(super) fn not_negative(text: &str) -> Result<f64, String> {
     let value = finite(text)?;
-    if value >= 0.0 { Ok(value) } else { Err(format!("found {value}, expected 0 or more")) }
+    if value >= 0.0 {
+        Ok(value)
+    } else {
+        Err(format!("found {}, expected 0 or more", digits(value)))
+    }
 }
 
 pub(super) fn reserve(text: &str) -> Result<f64, String> {
     let value = finite(text)?;
     let fits = (0.0..1.0).contains(&value);
-    if fits { Ok(value) } else { Err(format!("found {value}, expected from 0 to below 1")) }
+    if fits {
+        Ok(value)
+    } else {
+        Err(format!("found {}, expected from 0 to below 1", digits(value)))
+    }
 }
 
 pub(super) fn one_or_more(text: &str) -> Result<NonZeroUsize, String> {
@@ -80,7 +93,8 @@ pub(super) fn nodes(text: &str) -> Result<u64, String> {
 
 pub(super) fn seconds(text: &str) -> Result<Duration, String> {
     let value = positive(text)?;
-    Duration::try_from_secs_f64(value).map_err(|_| format!("found {value:e}, expected fewer"))
+    Duration::try_from_secs_f64(value)
+        .map_err(|_| format!("found {}, expected fewer", digits(value)))
 }
 
 /// `K` or `LAYER=K`.

@@ -147,7 +147,12 @@ impl<const N: usize> Entry<'_, N> {
                 contact: self.number,
                 distance: signed_distance.abs(),
                 nearest: Nearest(piece),
-                side: if signed_distance < 0.0 { "inside" } else { "outside" },
+                // Of a point so far away that its distance is infinite the sign is rounding.
+                side: if signed_distance < 0.0 && signed_distance.is_finite() {
+                    "inside"
+                } else {
+                    "outside"
+                },
                 allowed: self.allowed(),
                 unit: self.unit(),
             },

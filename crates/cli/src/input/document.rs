@@ -24,6 +24,7 @@ pub(crate) struct Document {
     root: Node,
     /// Whether there is no file of this schema, only a drawing or a mesh and options.
     alone: bool,
+    is_report: bool,
 }
 
 impl Document {
@@ -42,8 +43,9 @@ impl Document {
             InputError::new(&name, &text, &Place::default(), &span, fault)
         })?;
         let folder = path.parent().map(Path::to_owned).unwrap_or_default();
+        let is_report = schema::is_report(&root);
         let root = schema::without_results(root);
-        let document = Self { name, folder, text, root, alone: false };
+        let document = Self { name, folder, text, root, alone: false, is_report };
         let file = document.checked()?;
         Ok((document, file))
     }
@@ -56,6 +58,7 @@ impl Document {
             text: String::new(),
             root: Node { value: Value::Null, span: 0..0 },
             alone: true,
+            is_report: false,
         }
     }
 
@@ -72,6 +75,11 @@ impl Document {
     /// The same, or nothing if a drawing or a mesh stands for it.
     pub(crate) fn sources(&self) -> Vec<Source> {
         if self.alone { Vec::new() } else { vec![self.source()] }
+    }
+
+    /// Whether it is a report of `optimize`, whose contacts are results.
+    pub(crate) const fn is_report(&self) -> bool {
+        self.is_report
     }
 
     /// The folder from which the file names others: its own, or the current one for standard

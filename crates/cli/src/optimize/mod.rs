@@ -14,7 +14,7 @@ use clench_draw::DrawError;
 use crate::answer::Answer;
 use crate::arguments::{Format, ObjectiveArgument, OptimizeArguments};
 use crate::failure::Failure;
-use crate::input::{self, TouchablePart, schema};
+use crate::input::{self, Document, TouchablePart, schema};
 use crate::interrupt::Interrupt;
 use crate::picture::{Figures, Picture};
 use crate::progress::ProgressLine;
@@ -43,7 +43,7 @@ pub(crate) fn optimize(arguments: &OptimizeArguments) -> Result<Answer, Failure>
     let drawn = input::drawn(&document, &mut file, &asked)?;
     match input::touchable_part(&document, &file.part)? {
         TouchablePart::Outline(part) => {
-            outline::optimize(arguments, (&document, drawn.as_ref()), file, *part)
+            outline::optimize(arguments, (&document, drawn.as_ref()), file, &part)
         }
         TouchablePart::Solid(body) => solid::optimize(arguments, &document, file, &body),
     }
@@ -78,6 +78,7 @@ fn question<'a>(
         roundness: None,
         flatness: None,
         clearance: arguments.clearance,
+        warnings: &[],
         effort: EffortReport {
             top: effort.top,
             gap: effort.gap,
@@ -85,6 +86,26 @@ fn question<'a>(
             nodes: effort.nodes,
         },
     }
+}
+
+/// That what only `analyze` takes is left aside, if the file has any; a report has contacts as
+/// its results.
+fn left_aside(document: &Document, file: &schema::File) -> Vec<String> {
+    let tolerances = usize::from(file.contact_tolerances.is_some());
+    let fields = [
+        ("contacts", file.contacts.len()),
+        ("loads", file.loads.len()),
+        ("points", file.points.len()),
+        ("load_cases", file.load_cases.len()),
+        ("contact_tolerances", tolerances),
+    ];
+    let given = fields.into_iter().filter(|(_, count)| *count > 0 && !document.is_report());
+    let names: Vec<String> = given.map(|(name, _)| format!("`{name}`")).collect();
+    if names.is_empty() {
+        return Vec::new();
+    }
+    let names = names.join(", ");
+    vec![format!("{names} of the file have no say in where fingers go: `analyze` takes them")]
 }
 
 /// What `search` finds while a line shows how far it is, and Ctrl-C ends it.

@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use clench::contact::Geometry;
 use clench::optimize::polygon::{Fingers, Part, ThreeFingers, fingers, three_fingers};
 use clench::optimize::{Effort, OptimizeError, Outcome, Placement, Solution};
-use clench::shape::Extent;
+use clench::shape::{Edge, Extent};
 
 use super::found::round;
 use super::{Found, Held, On, OutOfRange, Shown};
@@ -13,29 +13,35 @@ use crate::answer::Answer;
 use crate::arguments::OptimizeArguments;
 use crate::failure::Failure;
 use crate::input::schema::{self, Forbidden};
-use crate::input::{self, Document, Drawn, Finite};
+use crate::input::{self, Document, Drawn, Finite, PartFault, Place};
 use crate::picture::{self, Figures, Picture};
 use crate::report::{
-    DrawingReport, OptimumReport, OptimumText, PlacementReport, Question, Subject,
+    AccessReport, DrawingReport, OptimumReport, OptimumText, OutlineReport, PlacementReport,
+    Question, Subject,
 };
+use crate::wording::digits;
 
 /// Runs the command on an outline.
 pub(super) fn optimize(
     arguments: &OptimizeArguments,
     (document, drawn): (&Document, Option<&Drawn>),
     mut file: schema::File,
-    part: Part,
+    part: &Part,
 ) -> Result<Answer, Failure> {
     arguments.check_for_outline().map_err(|message| Failure::Usage { message })?;
-    let part = restricted(part, arguments)?;
-    let part = accessible(part, (document, &file.part), arguments.finger_radius)?;
+    let of_file = Untouched { document, part, planar: file.part.planar.as_ref() };
+    let part = of_file.accessible(restricted(part.clone(), arguments)?, arguments)?;
     add_restrictions(&mut file.part, arguments);
     let effort = arguments.effort_on_outline();
     let drawing = drawn.map(DrawingReport::new);
     let meshes: Vec<_> = drawn.map(|drawn| drawn.path.clone()).into_iter().collect();
     arguments.output.check_apart(meshes.iter().map(PathBuf::as_path))?;
-    let question =
-        Question { drawing: drawing.as_ref(), ..super::question(arguments, &file, (2, &effort)) };
+    let warnings = super::left_aside(document, &file);
+    let question = Question {
+        drawing: drawing.as_ref(),
+        warnings: &warnings,
+        ..super::question(arguments, &file, (2, &effort))
+    };
     let outcome = match search(&part, &question, (arguments, &effort)) {
         Ok(outcome) => outcome,
         Err(error) if super::is_unanswered(&error) => {
@@ -50,7 +56,9 @@ pub(super) fn optimize(
     let others = outcome.others.iter().map(placement).collect::<Result<Vec<_>, OutOfRange>>();
     let placements = placement(&outcome.best).and_then(|best| Ok((best, others?)));
     let placements = placements.map_err(super::out_of_range(document.name()))?;
-    let report = OptimumReport::new(&question, &outcome, placements);
+    let accessible = access(&part);
+    let report =
+        OptimumReport { accessible, ..OptimumReport::new(&question, &outcome, placements) };
     let picture = picture::of_optimum(&report, &part);
     let figures =
         super::drawn(arguments, || Figures::of_optimum(&report, &outcome.best, &picture))?;
@@ -66,7 +74,7 @@ fn restricted(part: Part, arguments: &OptimizeArguments) -> Result<Part, Failure
     let failure = |option: String| move |error| Failure::Option { option, source: Box::new(error) };
     let mut part = part;
     if let Some(margin) = arguments.margin {
-        part = part.with_margin(margin).map_err(failure(format!("--margin {margin}")))?;
+        part = part.with_margin(margin).map_err(failure(format!("--margin {}", digits(margin))))?;
     }
     for forbidden in &arguments.forbid {
         part = input::without(part, forbidden).map_err(failure(format!("--forbid {forbidden}")))?;
@@ -82,24 +90,58 @@ fn restricted(part: Part, arguments: &OptimizeArguments) -> Result<Part, Failure
     Ok(part)
 }
 
-/// The part where the tips of its fingers have room.
-fn accessible(
-    part: Part,
-    (document, file): (&Document, &schema::Part),
-    radius: f64,
-) -> Result<Part, Failure> {
-    let Some(planar) = &file.planar else { return Ok(part) };
-    let tip = input::disc_tip(document, planar, radius)?;
-    let name = || document.name().to_owned();
-    let part = part.accessible_to(&tip);
-    let part = part.map_err(|error| super::refused(&name(), error))?;
-    if part.stretches().is_empty() {
-        let regions = if planar.keep_out.is_empty() { "" } else { ", keep_out" };
-        let plate = if planar.plate.is_some() { ", plate" } else { "" };
-        let option = format!("--finger-radius {radius}{regions}{plate}");
-        return Err(Failure::Option { option, source: Box::new(OptimizeError::NowhereToTouch) });
+/// The part of a file, before the command line restricts it.
+struct Untouched<'a> {
+    document: &'a Document,
+    part: &'a Part,
+    planar: Option<&'a schema::Planar>,
+}
+
+impl Untouched<'_> {
+    /// The `restricted` part where the tips of its fingers have room.
+    fn accessible(&self, restricted: Part, arguments: &OptimizeArguments) -> Result<Part, Failure> {
+        let Some(planar) = self.planar else { return Ok(restricted) };
+        let radius = arguments.finger_radius;
+        let part = self.with_room(restricted, planar, radius)?;
+        if !part.stretches().is_empty() {
+            return Ok(part);
+        }
+        let (regions, plate) = (!planar.keep_out.is_empty(), planar.plate.is_some());
+        // Without room for any finger at all it is the file that is at fault.
+        if self.with_room(self.part.clone(), planar, 0.0)?.stretches().is_empty() {
+            let field = if regions { "keep_out" } else { "plate" };
+            let place = Place::planar().field(field);
+            return Err(self.document.error(&place, PartFault::NowhereToTouch));
+        }
+        let conditions = [
+            ("--margin".to_owned(), arguments.margin.is_some()),
+            ("--forbid".to_owned(), !arguments.forbid.is_empty()),
+            (format!("--finger-radius {}", digits(radius)), radius > 0.0),
+            ("keep_out".to_owned(), regions),
+            ("plate".to_owned(), plate),
+        ];
+        let given = conditions.into_iter().filter(|(_, given)| *given).map(|(name, _)| name);
+        let option = given.collect::<Vec<_>>().join(", ");
+        Err(Failure::Option { option, source: Box::new(OptimizeError::NowhereToTouch) })
     }
-    Ok(part)
+
+    fn with_room(&self, part: Part, planar: &schema::Planar, radius: f64) -> Result<Part, Failure> {
+        let tip = input::disc_tip(self.document, planar, radius)?;
+        part.accessible_to(&tip).map_err(|error| super::refused(self.document.name(), error))
+    }
+}
+
+/// How much of the outline fingers may touch; none if they may touch all of it.
+fn access(part: &Part) -> Option<AccessReport> {
+    let mut open = vec![0.0; part.outline().edges().len()];
+    for stretch in part.stretches() {
+        open[stretch.edge] += stretch.to - stretch.from;
+    }
+    let total: f64 = part.outline().edges().iter().map(Edge::length).sum();
+    let sum: f64 = open.iter().sum();
+    let closed_edges = (0..open.len()).filter(|&edge| open[edge] <= 0.0).collect();
+    let outline = OutlineReport { share: sum / total, closed_edges };
+    (sum < total).then(|| AccessReport { outline: Some(outline), ..AccessReport::default() })
 }
 
 /// The part of the file with what the command line forbids, so that a report repeats all of it.

@@ -83,6 +83,6 @@ pub(super) fn report(
     overlapping: &[MeetsReport],
 ) -> Option<AccessReport> {
     let (left_out, overlapping) = (left_out.to_vec(), overlapping.to_vec());
-    let report = AccessReport { surface, left_out, overlapping };
+    let report = AccessReport { outline: None, surface, left_out, overlapping };
     (!report.is_empty()).then_some(report)
 }

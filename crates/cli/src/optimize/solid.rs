@@ -55,6 +55,7 @@ pub(super) fn optimize(
     let meshes: Vec<_> = input::mesh_file(document, &file.part).into_iter().collect();
     arguments.output.check_apart(meshes.iter().map(PathBuf::as_path))?;
     name_mesh(&mut file.part, document);
+    let warnings = super::left_aside(document, &file);
     let question = Question {
         // Candidates may be anywhere.
         most_on_face: Some(match arguments.candidates {
@@ -63,6 +64,7 @@ pub(super) fn optimize(
         }),
         roundness: Some(arguments.roundness.unwrap_or(ROUNDNESS)),
         flatness: Some(body.shape.flatness),
+        warnings: &warnings,
         ..super::question(arguments, &file, (3, &arguments.effort_on_solid()))
     };
     let outcome = match task.restricted(&tip).and_then(|()| task.search(&question)) {

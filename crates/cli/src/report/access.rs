@@ -1,4 +1,4 @@
-//! Where the tips of fingers have room on a solid.
+//! Where the tips of fingers have room.
 
 use serde::Serialize;
 
@@ -12,9 +12,12 @@ const LISTED: usize = 12;
 /// Percents.
 const PERCENT: f64 = 100.0;
 
-/// What of a solid can be touched, and what meets something.
+/// What of a part can be touched, and what meets something.
 #[derive(Clone, Debug, Default, Serialize)]
 pub(crate) struct AccessReport {
+    /// Of an outline.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(crate) outline: Option<OutlineReport>,
     /// Of the surface; not where fingers are chosen among candidates.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub(crate) surface: Option<SurfaceReport>,
@@ -24,6 +27,15 @@ pub(crate) struct AccessReport {
     /// Given contacts that overlap the part, a keep-out or each other.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub(crate) overlapping: Vec<MeetsReport>,
+}
+
+/// How much of an outline and its holes fingers may touch.
+#[derive(Clone, Debug, Serialize)]
+pub(crate) struct OutlineReport {
+    /// A part of the length.
+    pub(crate) share: f64,
+    /// The edges that cannot be touched at all.
+    pub(crate) closed_edges: Vec<usize>,
 }
 
 /// How much of a surface is accessible.
@@ -47,20 +59,28 @@ pub(crate) struct MeetsReport {
 impl AccessReport {
     /// Nothing that is worth a word.
     pub(crate) fn is_empty(&self) -> bool {
-        self.surface.is_none() && self.left_out.is_empty() && self.overlapping.is_empty()
+        let everywhere = self.outline.is_none() && self.surface.is_none();
+        everywhere && self.left_out.is_empty() && self.overlapping.is_empty()
     }
 
     /// The lines of the text.
     pub(super) fn lines(&self, page: &mut Page, units: UnitNames<'_>) {
+        if let Some(OutlineReport { share, closed_edges }) = &self.outline {
+            let closed = match &closed_edges[..] {
+                [] => String::new(),
+                [edge] => format!("; edge {edge} not at all"),
+                edges => format!("; {} edges not at all: {}", edges.len(), listed(edges)),
+            };
+            let percent = PERCENT * share;
+            page.head("room", format_args!("{percent:.1} % of the outline is accessible{closed}"));
+        }
         if let Some(SurfaceReport { share, tolerance, closed_faces }) = &self.surface {
-            let closed = match closed_faces.len() {
-                0 => String::new(),
-                1 => format!("; the plane of face {} not at all", closed_faces[0]),
-                count => {
-                    let faces = closed_faces.iter().take(LISTED).map(usize::to_string);
-                    let faces = faces.collect::<Vec<_>>().join(", ");
-                    let more = if count > LISTED { ", .." } else { "" };
-                    format!("; {count} planes not at all: those of faces {faces}{more}")
+            let closed = match &closed_faces[..] {
+                [] => String::new(),
+                [face] => format!("; the plane of face {face} not at all"),
+                faces => {
+                    let (count, faces) = (faces.len(), listed(faces));
+                    format!("; {count} planes not at all: those of faces {faces}")
                 }
             };
             let (percent, tolerance) = (PERCENT * share, units.length(*tolerance));
@@ -85,4 +105,11 @@ impl AccessReport {
             page.head(name, format_args!("{shown}{more}"));
         }
     }
+}
+
+/// The first of these numbers.
+fn listed(numbers: &[usize]) -> String {
+    let shown = numbers.iter().take(LISTED).map(usize::to_string).collect::<Vec<_>>().join(", ");
+    let more = if numbers.len() > LISTED { ", .." } else { "" };
+    format!("{shown}{more}")
 }

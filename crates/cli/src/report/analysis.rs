@@ -182,7 +182,10 @@ impl<'a> AnalysisReport<'a> {
         let cases = load_cases.iter().enumerate();
         let of_cases =
             cases.flat_map(|(i, case)| case.warnings(i, analysis.size, UnitNames(analysis.units)));
-        let warnings = verdict.warnings.into_iter().chain(of_cases).collect();
+        let robustness = RobustnessReport::new(analysis);
+        let units = UnitNames(analysis.units);
+        let of_tolerances = robustness.as_ref().and_then(|r| r.warning(analysis.size, units));
+        let warnings = verdict.warnings.into_iter().chain(of_cases).chain(of_tolerances).collect();
         let preload = |origin| grasp.preload_stiffness(origin);
         let formed = |order| rows(&analysis.stiffness(|origin| grasp.stiffness(origin, order)));
         Self {
@@ -205,7 +208,7 @@ impl<'a> AnalysisReport<'a> {
                 verdict.reason.as_deref(),
             ),
             needed_preloads: NeededReport::new(analysis, &load_cases),
-            robustness: RobustnessReport::new(analysis),
+            robustness,
             load_cases,
             force_closure: analysis.preloads.force_closure,
             preload_margin: analysis.preloads.best.as_ref().map(|best| plain(best.margin)),

@@ -23,6 +23,7 @@ mod robustness_text;
 
 mod optimum;
 mod optimum_text;
+mod second_order;
 mod subject;
 
 pub(crate) mod html;
@@ -36,7 +37,7 @@ use serde::Serialize;
 
 use crate::failure::Failure;
 
-pub(crate) use access::{AccessReport, MeetsReport, SurfaceReport};
+pub(crate) use access::{AccessReport, MeetsReport, OutlineReport, SurfaceReport};
 pub(crate) use analysis::AnalysisReport;
 pub(crate) use analysis_text::AnalysisText;
 pub(crate) use drawing::DrawingReport;

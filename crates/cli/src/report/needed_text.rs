@@ -2,7 +2,7 @@
 
 use super::analysis_text::AnalysisText;
 use super::needed::{BasisWord, FoundPreloads, NeededReport, RemedyReport};
-use super::number::{INVISIBLE, beside};
+use super::number::beside;
 use super::page::Page;
 use crate::wording::{digits, precise_digits};
 
@@ -19,21 +19,20 @@ impl AnalysisText<'_> {
             "under which no contact lifts off".to_owned()
         };
         page.line(format_args!("preloads {what}, whatever load case acts"));
-        let columns = [column("with the least total", least), column("all times", scaled)];
+        let columns = [column("least total", least), column("all times", scaled)];
         let columns: Vec<_> = columns.into_iter().flatten().collect();
         if !columns.is_empty() {
             let mut head = vec!["contact".to_owned(), format!("present [{unit}]")];
             for (name, _) in &columns {
-                head.extend([format!("{name} [{unit}]"), "under load".to_owned()]);
+                head.extend([format!("{name} [{unit}]"), format!("{name}, under load [{unit}]")]);
             }
             let mut rows = vec![head];
             for (i, contact) in self.report.contacts.iter().enumerate() {
                 let mut row = vec![i.to_string(), precise_digits(contact.preload)];
                 for (_, found) in &columns {
-                    let size = found.total * INVISIBLE.sqrt();
                     row.extend([
                         precise_digits(found.preloads[i]),
-                        beside(size, found.least_forces[i]),
+                        beside(found.total, found.least_forces[i]),
                     ]);
                 }
                 rows.push(row);

@@ -7,7 +7,9 @@ use serde::{Serialize, Serializer};
 
 use super::access::AccessReport;
 use super::drawing::DrawingReport;
+use super::number::UnitNames;
 use super::quality::ReachReport;
+use super::second_order::missing;
 use super::words::{EndWord, LimitWord, ObjectiveWord};
 use crate::input::{Finite, Whole, schema};
 use crate::optimize::{Found, Held, On};
@@ -42,6 +44,9 @@ pub(crate) struct Question<'a> {
     /// The least gap between the tips of fingers on a solid, if one is asked for.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub(crate) clearance: Option<f64>,
+    /// What a reader has to know of the question.
+    #[serde(skip_serializing_if = "<[String]>::is_empty")]
+    pub(crate) warnings: &'a [String],
     pub(crate) effort: EffortReport,
 }
 
@@ -72,7 +77,7 @@ pub(crate) struct OptimumReport<'a> {
     pub(crate) best: PlacementReport,
     pub(crate) certificate: CertificateReport,
     pub(crate) combinations: CombinationsReport,
-    /// Where the tips of fingers have room on a solid, if that is not everywhere.
+    /// Where the tips of fingers have room, if that is not everywhere.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub(crate) accessible: Option<AccessReport>,
     /// The best combinations, the best of all included; only if more than one was asked for.
@@ -242,7 +247,7 @@ impl PlacementReport {
             quality_second_order: second.and_then(|q| q.as_ref().ok()).map(|q| q.value),
             quality_second_order_missing: second
                 .and_then(|q| q.as_ref().err())
-                .map(ToString::to_string),
+                .map(|error| missing::<N>(error, UnitNames(question.units))),
         }
     }
 

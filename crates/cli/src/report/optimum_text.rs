@@ -73,6 +73,9 @@ impl OptimumText<'_> {
             }
         }
         page.head("units", units);
+        for warning in report.question.warnings {
+            page.head("warning", warning);
+        }
         self.facts(page);
         let best = &report.best;
         let q = units.stiffness(best.quality);

@@ -2,6 +2,7 @@
 
 use serde::Serialize;
 
+use super::number::UnitNames;
 use crate::analyze::Analysis;
 use crate::input::Tolerance;
 use crate::robustness::{Measure, Robust, Slope, Slopes};
@@ -112,6 +113,26 @@ impl RobustnessReport {
             quality_rotational: measure(&robustness.rotational, metrics.softest.value),
             worst_point_stiffness: measure(&robustness.worst_point, metrics.worst.stiffness),
         })
+    }
+
+    /// That tolerances are too large for the linear estimate, for a part of this `size`, a radius.
+    pub(super) fn warning(&self, size: f64, units: UnitNames<'_>) -> Option<String> {
+        let not_positive = |measure: &MeasureReport| {
+            measure.worst_case.as_ref().is_some_and(|worst| worst.linear <= 0.0)
+        };
+        let measures = self.measures().into_iter().filter(|(_, measure)| not_positive(measure));
+        let names: Vec<&str> = measures.map(|(name, _)| name).collect();
+        let placements = self.contacts.iter().filter_map(|contact| contact.tolerance);
+        let off = placements.map(|tolerance| tolerance.placement).fold(0.0, f64::max);
+        let why = if off >= size {
+            let (off, size) = (units.length(off), units.length(size));
+            format!("a contact may be off by {off}, but the part's radius is {size}")
+        } else if names.is_empty() {
+            return None;
+        } else {
+            format!("by it the worst of {} is not positive", names.join(" and "))
+        };
+        Some(format!("the tolerances of contacts are too large for the linear estimate: {why}"))
     }
 
     /// The measures with their symbols.

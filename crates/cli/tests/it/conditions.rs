@@ -246,3 +246,21 @@ fn restrictions_that_are_none_are_refused_with_their_place() {
     let ran = folder.run("optimize part.toml --fingers 4");
     assert_says(&ran.err, &["unknown field `margin`", "put it under [part.planar]"]);
 }
+
+/// A grasp file is a part file too, but for its contacts and what acts on it.
+#[test]
+fn what_has_no_say_in_the_placement_is_named() {
+    let folder = quadrilateral("left-aside");
+    let contact = "[[contacts]]\npoint = [1, 0]\n[[loads]]\npoint = [1, 1]\nforce = [0, -1]\n";
+    folder.write("grasp.toml", part(QUADRILATERAL, "1") + contact);
+    let report = folder.json("optimize grasp.toml --fingers 4");
+    let words = "`contacts`, `loads` of the file have no say in where fingers go";
+    assert_says(&report["warnings"].to_string(), &[words]);
+    let text = folder.run("optimize grasp.toml --fingers 4 --report page.html").out;
+    assert!(text.contains(&format!("warning   {words}: `analyze` takes them\n")), "{text}");
+    let page = fs::read_to_string(folder.path("page.html")).unwrap_or_default();
+    assert_says(&page, &["have no say in where fingers go"]);
+    // The contacts of a report are results.
+    folder.write("report.json", report.to_string());
+    assert!(folder.json("optimize report.json --fingers 4").get("warnings").is_none());
+}

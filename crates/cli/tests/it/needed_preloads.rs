@@ -130,7 +130,7 @@ fn the_digits_of_the_text_are_enough() {
     let text = folder.run("analyze grasp.toml").out;
     let pieces = [
         "preloads under which no contact lifts off, whatever load case acts\n",
-        "contact  present [F]  with the least total [F]  under load  all times ",
+        "contact  present [F]  least total [F]  least total, under load [F]  all times ",
         "under load: the least force of the contact under any load case\n",
     ];
     assert_says(&text, &pieces);

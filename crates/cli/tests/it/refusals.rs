@@ -73,6 +73,13 @@ fn points_off_the_boundary_or_its_pieces_are_refused() {
     }
 }
 
+/// The square of such a distance is out of range.
+#[test]
+fn points_too_far_away_to_tell_how_far_are_refused() {
+    let words = ["found it more than 1e154 L away from edge", "outside the part"];
+    refused("far", SQUARE, "point = [1e300, 0]", &words);
+}
+
 #[test]
 fn contradicting_places_are_refused() {
     for (name, part, contact, pieces) in [

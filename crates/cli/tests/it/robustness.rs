@@ -195,3 +195,24 @@ fn a_measure_without_a_derivative_says_why() {
     let ran = folder.run("analyze cube.toml --robustness");
     assert_says(&ran.out, &["Q: the quality has no derivative"]);
 }
+
+/// A linear estimate holds for small changes only.
+#[test]
+fn tolerances_too_large_for_the_linear_estimate_are_a_warning() {
+    let file = quadrilateral([1.3, 11.7], 1.0);
+    let said = |tolerances: &str| {
+        let name = format!("large-{}", tolerances.len());
+        let found = report(&name, &format!("contact_tolerances = {{ {tolerances} }}\n{file}"), "");
+        let negative = MEASURES
+            .map(|measure| number(&found["robustness"][measure]["worst_case"]["linear"]) <= 0.0);
+        (found["warnings"].to_string(), negative.contains(&true))
+    };
+    let words = "tolerances of contacts are too large for the linear estimate: ";
+    let (warnings, negative) = said("placement = 0.1");
+    assert!(!negative && !warnings.contains(words), "{warnings}");
+    let (warnings, negative) = said("placement = 6.4");
+    assert!(negative, "{warnings}");
+    assert_says(&warnings, &[&format!("{words}by it the worst of Q"), "is not positive"]);
+    let (warnings, _) = said("placement = 1000");
+    assert_says(&warnings, &[&format!("{words}a contact may be off by 1000 L, but the part's")]);
+}

@@ -156,6 +156,45 @@ fn rooms_that_are_none_are_refused_with_their_place() {
     let all = "keep_out = [[[-99, -99], [99, -99], [99, 99], [-99, 99]]]\n";
     folder.write("part.toml", NOTCHED.to_owned() + all);
     let ran = folder.run("optimize part.toml --fingers 4 --finger-radius 1");
-    assert_eq!(ran.out, "");
-    assert_says(&ran.err, &["--finger-radius 1, keep_out", "no stretch"]);
+    // Whatever the radius, no finger has room: it is the file that is at fault.
+    assert_eq!((ran.code, ran.out.as_str()), (Some(1), ""));
+    assert_says(
+        &ran.err,
+        &["part.toml:6:12: part.planar.keep_out: no stretch of any edge is left"],
+    );
+    // A frame 0.5 around the part leaves room to fingers, but not to these.
+    let frame = "keep_out = [[[-9, -9], [25, -9], [25, -0.5], [-9, -0.5]], \
+        [[-9, 8.5], [25, 8.5], [25, 17], [-9, 17]], [[-9, -9], [-0.5, -9], [-0.5, 17], [-9, 17]], \
+        [[16.5, -9], [25, -9], [25, 17], [16.5, 17]]]\n";
+    folder.write("part.toml", NOTCHED.to_owned() + frame);
+    let ran = folder.run("optimize part.toml --fingers 4 --margin 0.1 --finger-radius 2.5");
+    assert_eq!((ran.code, ran.out.as_str()), (Some(2), ""), "{}", ran.err);
+    assert_says(&ran.err, &["--margin, --finger-radius 2.5, keep_out: no stretch of any edge"]);
+}
+
+/// By hand: of the perimeter, 54, and the bore, 16, a margin takes two ends of each of 12 edges; a
+/// finger of radius 1.5 does not fit into the notch, 2 wide, and keeps 1.5 off the ends of edges
+/// in the bore.
+#[test]
+fn the_share_of_the_outline_where_fingers_have_room_is_reported() {
+    let folder = Folder::new("room-share");
+    folder.write("part.toml", NOTCHED);
+    let access = |options: &str| {
+        let report = folder.json(&format!("optimize part.toml --fingers 4 {options}"));
+        let outline = &report["accessible"]["outline"];
+        let closed: Vec<f64> = list(&outline["closed_edges"]).iter().map(number).collect();
+        (number(&outline["share"]), closed)
+    };
+    let (share, closed) = access("--margin 0.5");
+    assert_close(share, 58.0 / 70.0, 1e-12, 1.0, "margin");
+    assert!(closed.is_empty(), "{closed:?}");
+    let (share, closed) = access("--finger-radius 1.5");
+    assert_close(share, 50.0 / 70.0, 1e-12, 1.0, "radius");
+    assert_eq!(closed, [3.0, 4.0, 5.0]);
+    let whole = folder.json("optimize part.toml --fingers 4");
+    assert!(whole.get("accessible").is_none());
+    assert_says(
+        &folder.run("optimize part.toml --fingers 4 --finger-radius 1.5").out,
+        &["room      71.4 % of the outline is accessible; 3 edges not at all: 3, 4, 5\n"],
+    );
 }

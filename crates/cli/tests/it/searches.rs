@@ -201,3 +201,22 @@ fn ctrl_c_ends_a_search_with_what_it_has() {
     folder.write("grasp.json", &ran.out);
     assert_eq!(folder.run("analyze grasp.json").code, Some(0));
 }
+
+/// Preloads far beyond the stiffness push the part away: that is said as a reader wants it.
+#[test]
+fn numbers_of_a_preload_that_is_too_large_are_rounded() {
+    let folder = Folder::new("searches-preload");
+    folder.write("part.toml", part(crate::run::QUADRILATERAL, "1"));
+    let ran = folder.run("optimize part.toml --fingers 4 --preload 1000");
+    let reason = ran.out.lines().find(|line| line.starts_with("second order")).unwrap_or_default();
+    assert_says(
+        reason,
+        &["none", "the part turns away about (", ") L: the stiffness is -", " F L"],
+    );
+    assert!(reason.matches(", ").count() == 1, "two numbers in the plane: {reason}");
+    let digits = |word: &str| word.chars().filter(char::is_ascii_digit).count();
+    assert!(reason.split(' ').all(|word| digits(word) <= 8), "{reason}");
+    let ran = folder.run("optimize part.toml --fingers 4 --preload 1e300");
+    assert_eq!(ran.err.matches("choose units").count(), usize::from(ran.code == Some(1)));
+    assert_eq!(ran.code, Some(1), "{}{}", ran.out, ran.err);
+}

@@ -8,7 +8,7 @@ use clench::contact::ContactError;
 use crate::input::material;
 use crate::input::units::{forces, lengths};
 use crate::input::{Piece, PieceKind};
-use crate::wording::{digits, quoted};
+use crate::wording::{digits, distance as far, quoted, rough_digits};
 
 /// A point or a direction in a message.
 #[derive(Clone, Debug, PartialEq)]
@@ -40,8 +40,8 @@ pub(crate) enum ContactFault {
     CenterOfNothing,
     /// The finger does not touch the part.
     #[error(
-        "contact {contact} is apart from the part by {} {unit}: its center is {} {unit} away",
-        digits(*.gap), digits(*.distance)
+        "contact {contact} is apart from the part by {}: its center is {} away",
+        far(*.gap, unit), far(*.distance, unit)
     )]
     Apart { contact: usize, gap: f64, distance: f64, unit: String },
     /// The finger touches at a corner.
@@ -52,9 +52,9 @@ pub(crate) enum ContactFault {
     CenterBeside { contact: usize, foot: Coordinates },
     /// A contact floats beside the part, or lies within it.
     #[error(
-        "contact {contact} is off the boundary: found it {} {unit} away from {nearest}, \
-         {side} the part, expected at most {allowed:.1e} {unit}",
-        digits(*.distance)
+        "contact {contact} is off the boundary: found it {} away from {nearest}, \
+         {side} the part, expected at most {} {unit}",
+        far(*.distance, unit), rough_digits(*.allowed)
     )]
     OffBoundary {
         contact: usize,
@@ -116,12 +116,13 @@ pub(crate) enum ContactFault {
     )]
     PointedByDefault { contact: usize },
     /// A tolerance that nothing keeps.
-    #[error("the tolerance is {value}, but has to be a number, zero or positive")]
+    #[error("the tolerance is {}, but has to be a number, zero or positive", digits(*.value))]
     Tolerance { value: f64 },
     /// A relative tolerance that takes all, or that nothing keeps.
     #[error(
-        "the tolerance is {value}, but has to be a number from 0 up to, and not including, 1: it \
-         is relative"
+        "the tolerance is {}, but has to be a number from 0 up to, and not including, 1: it is \
+         relative",
+        digits(*.value)
     )]
     RelativeTolerance { value: f64 },
     /// There is no material of this name.

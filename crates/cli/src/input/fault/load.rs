@@ -1,6 +1,7 @@
 //! What can be wrong with a named point or a load case.
 
 use crate::input::Place;
+use crate::wording::digits;
 
 /// Why a named point or a load case was refused.
 #[derive(Debug, thiserror::Error)]
@@ -21,7 +22,7 @@ pub(crate) enum LoadFault {
     #[error("found one number, expected three numbers [x, y, z]: the part is spatial")]
     PlanarTorque,
     /// A tolerance that nothing keeps.
-    #[error("the tolerance is {value}, but has to be a positive number")]
+    #[error("the tolerance is {}, but has to be a positive number", digits(*.value))]
     Tolerance { value: f64 },
     /// A direction in which nothing is bounded.
     #[error(

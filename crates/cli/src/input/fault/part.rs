@@ -5,7 +5,7 @@ use clench::shape::{AccessError, EllipsoidError, PolygonError, PolyhedronError};
 
 use super::{DrawingFault, MeshFault};
 use crate::input::PieceKind;
-use crate::wording::counted;
+use crate::wording::{counted, digits};
 
 /// Why a part was refused.
 #[derive(Debug, thiserror::Error)]
@@ -88,7 +88,7 @@ pub(crate) enum PartFault {
     #[error("found {found}, which only an `outline` has")]
     OutlineOnly { found: &'static str },
     /// A stiffness is zero or negative.
-    #[error("the stiffness is {value}, but has to be a positive finite number")]
+    #[error("the stiffness is {}, but has to be a positive finite number", digits(*.value))]
     Stiffness { value: f64 },
     /// A list of stiffnesses where there is nothing to count.
     #[error("found a list of stiffnesses, expected one number: {reason}")]

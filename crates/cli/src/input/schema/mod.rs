@@ -18,7 +18,7 @@ pub(crate) use contact::{Contact, Finger, Law, Material, Preload};
 pub(crate) use forbidden::{Forbidden, ForbiddenLayer, ForbiddenStretch};
 pub(crate) use load::{Load, LoadCase, NamedPoint};
 pub(crate) use part::{ModularPlate, Part, Planar, Spatial};
-pub(super) use results::without_results;
+pub(super) use results::{is_report, without_results};
 pub(crate) use tolerance::Tolerance;
 pub(super) use words::{expected, help};
 

@@ -3,7 +3,7 @@
 use super::super::node::Node;
 
 /// The results of `optimize` at the top of its report: `analyze` reads the rest as a grasp file.
-const RESULT_FIELDS: [&str; 33] = [
+const RESULT_FIELDS: [&str; 34] = [
     "dimension",
     "drawing",
     "fingers",
@@ -17,6 +17,7 @@ const RESULT_FIELDS: [&str; 33] = [
     "flatness",
     "clearance",
     "accessible",
+    "warnings",
     "effort",
     "quality",
     "sigma_min",
@@ -48,13 +49,18 @@ const MARKS_OF_A_REPORT: [&str; 2] = ["certificate", "combinations"];
 /// The file without its results, if it is a report of `optimize`; any other file as it is, so
 /// that none of its fields is overlooked.
 pub(in super::super) fn without_results(mut root: Node) -> Node {
-    if MARKS_OF_A_REPORT.iter().all(|name| root.field(name).is_some()) {
+    if is_report(&root) {
         root.remove(&RESULT_FIELDS);
         for contact in root.items_of_field("contacts") {
             contact.remove(&CONTACT_RESULT_FIELDS);
         }
     }
     root
+}
+
+/// Whether the file is a report of `optimize`.
+pub(in super::super) fn is_report(root: &Node) -> bool {
+    MARKS_OF_A_REPORT.iter().all(|name| root.field(name).is_some())
 }
 
 #[cfg(test)]
@@ -94,6 +100,7 @@ mod tests {
         let reports = [
             report(&format!("{planar} 0.1")),
             report(&format!("{planar} 1000")),
+            report("PARTS/quadrilateral-grasp.toml --fingers 4"),
             report(drawing),
             report(&format!("{solid} --nodes 1")),
             report(&format!("{solid} --margin 1 --clearance 1 --nodes 1")),

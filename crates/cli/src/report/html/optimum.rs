@@ -108,5 +108,5 @@ fn warnings(text: &OptimumText<'_>) -> Vec<String> {
         Line::Head { text, .. } => Some(text.clone()),
         _ => None,
     });
-    drawn.chain(texts).collect()
+    drawn.chain(text.report.question.warnings.iter().cloned()).chain(texts).collect()
 }
