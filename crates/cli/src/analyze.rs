@@ -15,7 +15,8 @@ use crate::color::Paint;
 use crate::failure::Failure;
 use crate::held::{Classes, NotHeld, Slack, held};
 use crate::input::{
-    self, Asked, Document, FileGrasp, LoadFault, NamedPoint, Part, Piece, Place, schema,
+    self, Asked, Document, FileGrasp, LoadFault, NamedPoint, Part, Piece, Place, SpatialShape,
+    schema,
 };
 use crate::metrics::Metrics;
 use crate::picture::{self, Figures, Picture};
@@ -113,7 +114,11 @@ pub(crate) fn analyze(arguments: &AnalyzeArguments) -> Result<Answer, Failure> {
             let figures = question.shown(|| Figures::of_analysis_in_space(&analysis, &picture))?;
             let meshes = input::mesh_file(&document, &file.part).into_iter().collect();
             let shown = Shown { picture: Picture::Solid(picture), figures, meshes };
-            question.answer(AnalysisReport::spatial(&analysis), shown)
+            let mut report = AnalysisReport::spatial(&analysis);
+            if let SpatialShape::Polyhedron(solid) = &body.shape {
+                report.warnings.extend(report::in_pieces(solid.polyhedron.pieces()));
+            }
+            question.answer(report, shown)
         }
     }
 }

@@ -85,8 +85,8 @@ impl Voice {
         json(Content {
             message: failure.to_string(),
             file: failure.file(),
-            line: at.as_ref().map(|at| at.line),
-            column: at.as_ref().map(|at| at.column),
+            line: at.as_ref().and_then(|at| at.line),
+            column: at.as_ref().and_then(|at| at.column),
             field: at.and_then(|at| at.field),
             help: failure.help().map(|help| help.to_string()),
             exit_code,

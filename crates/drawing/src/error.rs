@@ -365,6 +365,40 @@ pub enum PathFault {
 pub struct XmlError(pub(crate) roxmltree::Error);
 
 impl DrawingError {
+    /// The line of the file that it is about, from 1: of several the first that is named.
+    #[must_use]
+    pub fn line(&self) -> Option<usize> {
+        match self {
+            Self::Attribute { line, .. }
+            | Self::SvgSize { line, .. }
+            | Self::Path { line, .. }
+            | Self::OutOfRange { line, .. }
+            | Self::NoSuchElement { line, .. }
+            | Self::TooDeep { line, .. }
+            | Self::CutOff { line }
+            | Self::GroupCode { line, .. }
+            | Self::NotANumber { line, .. }
+            | Self::UnitNumber { line, .. }
+            | Self::MissingValue { line, .. }
+            | Self::Radius { line, .. }
+            | Self::AxisRatio { line, .. }
+            | Self::NoLength { line, .. }
+            | Self::Spline { line, .. }
+            | Self::NoSuchBlock { line, .. }
+            | Self::RecursiveBlock { line, .. }
+            | Self::BlockTooDeep { line, .. } => Some(*line),
+            Self::Xml(XmlError(error)) => usize::try_from(error.pos().row).ok(),
+            Self::TooManyCorners { curve, .. }
+            | Self::TooShort { curve, .. }
+            | Self::OpenEnd { curve, .. } => Some(curve.line),
+            Self::Branch { curves, .. } => Some(curves[0].line),
+            // The contour that is too many.
+            Self::SecondPart { curves } | Self::Island { curves } => Some(curves[1].line),
+            Self::Crossing { curves, .. } => Some(curves[0].line),
+            _ => None,
+        }
+    }
+
     /// The same error, with what was left aside: it may be what is missing.
     pub(crate) fn with_left_aside(mut self, aside: &[LeftAside]) -> Self {
         if let Self::OpenEnd { left_aside, .. } = &mut self {

@@ -17,7 +17,7 @@ use crate::input::{self, Body, Document, Finite, GivenContact, Holder, Solid};
 use crate::picture::{self, Figures, Picture};
 use crate::report::html::Source;
 use crate::report::{
-    MeetsReport, OptimumReport, OptimumText, PlacementReport, Question, SolidSubject, Subject,
+    self, MeetsReport, OptimumReport, OptimumText, PlacementReport, Question, SolidSubject, Subject,
 };
 
 /// Where fingers may go.
@@ -55,7 +55,8 @@ pub(super) fn optimize(
     let meshes: Vec<_> = input::mesh_file(document, &file.part).into_iter().collect();
     arguments.output.check_apart(meshes.iter().map(PathBuf::as_path))?;
     name_mesh(&mut file.part, document);
-    let warnings = super::left_aside(document, &file);
+    let mut warnings = super::left_aside(document, &file);
+    warnings.extend(report::in_pieces(body.shape.polyhedron.pieces()));
     let question = Question {
         // Candidates may be anywhere.
         most_on_face: Some(match arguments.candidates {

@@ -46,7 +46,7 @@ pub(crate) use optimum::{
     EffortReport, OptimumInPlane, OptimumReport, PlacementReport, Question, UnansweredReport,
 };
 pub(crate) use optimum_text::OptimumText;
-pub(crate) use subject::{SolidSubject, Subject};
+pub(crate) use subject::{SolidSubject, Subject, in_pieces};
 pub(crate) use words::{LimitWord, ObjectiveWord};
 
 /// A report as JSON.

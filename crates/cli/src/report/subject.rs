@@ -154,6 +154,12 @@ fn bends(outline: &Polygon, corner: usize) -> bool {
     (edges[before].inward_normal() - edges[corner].inward_normal()).norm() > SMOOTH
 }
 
+/// What is to be said of a solid in several pieces.
+pub(crate) fn in_pieces(pieces: usize) -> Option<String> {
+    let joined = "pieces that no face joins: they are taken as one rigid part";
+    (pieces > 1).then(|| format!("the solid is in {pieces} {joined}"))
+}
+
 /// How many fingers, in words.
 pub(super) fn in_words(count: usize) -> String {
     let words = [

@@ -16,6 +16,7 @@ mod holes;
 mod hostile;
 mod load_cases;
 mod measures;
+mod mesh_faults;
 mod meshes;
 mod needed_preloads;
 mod outputs;

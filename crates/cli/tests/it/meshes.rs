@@ -32,7 +32,7 @@ pub(crate) fn triangles() -> Vec<Triangle> {
     FACES.iter().flat_map(|&[a, b, c, d]| [half([a, b, c]), half([a, c, d])]).collect()
 }
 
-fn text(triangles: &[Triangle]) -> String {
+pub(crate) fn text(triangles: &[Triangle]) -> String {
     let vertex = |[x, y, z]: [f32; 3]| format!("      vertex {x} {y} {z}\n");
     let facet = |corners: &Triangle| {
         let loops: String = corners.iter().map(|&corner| vertex(corner)).collect();
@@ -138,7 +138,7 @@ fn meshes_are_found_beside_the_file_that_names_them() {
 }
 
 /// The message about a mesh file.
-fn refused(name: &str, file: &str, content: impl AsRef<[u8]>) -> String {
+pub(crate) fn refused(name: &str, file: &str, content: impl AsRef<[u8]>) -> String {
     let folder = Folder::new(&format!("mesh-hostile-{name}"));
     folder.write(file, content).write("grasp.toml", grasp(file));
     let ran = folder.run("analyze grasp.toml --format json");
@@ -167,14 +167,42 @@ fn stl_files_that_are_no_solid_are_refused() {
         ("prose", b"once upon a time".to_vec(), ["is no STL file", "`solid`"]),
         ("cut", bytes[..HEAD + TRIANGLE + 7].to_vec(), ["has 141 bytes", "12 triangles"]),
         ("longer", longer, ["has 685 bytes", "has 684; is it cut off"]),
-        ("cut-text", whole[..whole.len() / 2].into(), ["is not a valid STL file", ""]),
-        ("no-end", whole[..cut].into(), ["is not a valid STL file", "endsolid"]),
-        ("nan-text", whole.replacen("vertex 2", "vertex nan", 1).into(), ["valid STL", "finite"]),
-        ("word", whole.replacen("vertex 2", "vertex two", 1).into(), ["valid STL", "float"]),
-        ("quad", whole.replacen("endloop", "vertex 1 1 1", 1).into(), ["valid STL", "endloop"]),
-        ("nothing", b"solid none\nendsolid none\n".to_vec(), ["surface of a solid", "found 0"]),
-        ("nan", binary("cube", &none), ["z of vertex ", "NaN, not a finite number"]),
-        ("open", binary("cube", &sound[..11]), ["the surface is open", "belongs to face"]),
+        (
+            "cut-text",
+            whole[..whole.len() / 2].into(),
+            ["line 43: the file ends here", "`facet normal` and"],
+        ),
+        ("no-end", whole[..cut].into(), ["line 85: the file ends here", "or `endsolid`: is it"]),
+        (
+            "nan-text",
+            whole.replacen("vertex 2", "vertex nan", 1).into(),
+            ["line 6: found `vertex nan 2 0`", "`vertex` and three finite numbers"],
+        ),
+        (
+            "word",
+            whole.replacen("vertex 2", "vertex two", 1).into(),
+            ["line 6: found `vertex two 2 0`", "`vertex` and three finite numbers"],
+        ),
+        (
+            "quad",
+            whole.replacen("endloop", "vertex 1 1 1", 1).into(),
+            ["line 7: found `vertex 1 1 1`, expected `endloop`", "is a triangle"],
+        ),
+        (
+            "nothing",
+            b"solid none\nendsolid none\n".to_vec(),
+            ["has no facets", "expected the closed surface"],
+        ),
+        (
+            "nan",
+            binary("cube", &none),
+            ["facet 3, counted from 0, has a corner at (2, 2, NaN)", "expected finite numbers"],
+        ),
+        (
+            "open",
+            binary("cube", &sound[..11]),
+            ["the surface is open", "; vertex 3 is at (2, 0, 0); vertex 5 is at (2, 0, 2)"],
+        ),
         ("inside-out", binary("cube", &flipped), ["inside out", "reverse the corners"]),
         ("flat", binary("cube", &flat), ["face 12 has no area", "first use them"]),
     ] {
@@ -187,24 +215,65 @@ fn obj_files_that_are_no_solid_are_refused() {
     let sound = obj();
     for (name, content, pieces) in [
         ("obj-empty", String::new(), ["is empty", ""]),
-        ("obj-none", "# a comment\n".to_owned(), ["surface of a solid", "found 0 vertices"]),
-        ("obj-index", sound.replace("f 1 4 3 2", "f 1 4 3 9"), ["valid OBJ", "out of bounds"]),
-        ("obj-zero", sound.replace("f 1 4 3 2", "f 0 4 3 2"), ["valid OBJ", "out of bounds"]),
-        ("obj-back", sound.replace("f 1 4 3 2", "f -9 4 3 2"), ["valid OBJ", "out of bounds"]),
+        (
+            "obj-none",
+            "# a comment\n".to_owned(),
+            ["has no vertices, lines that begin with `v`", ""],
+        ),
+        ("obj-faceless", "v 0 0 0\n".to_owned(), ["has no faces, lines that begin with `f`", ""]),
+        (
+            "obj-index",
+            sound.replace("f 1 4 3 2", "f 1 4 3 9"),
+            ["line 9: found `9`, expected the number of a vertex", "1 to 8"],
+        ),
+        ("obj-zero", sound.replace("f 1 4 3 2", "f 0 4 3 2"), ["line 9: found `0`", "1 to 8"]),
+        ("obj-back", sound.replace("f 1 4 3 2", "f -9 4 3 2"), ["line 9: found `-9`", "-1 to -8"]),
         (
             "obj-huge",
             sound.replace("f 1 4 3 2", "f 9223372036854775807 4 3 2"),
-            ["valid OBJ", "out of bounds"],
+            ["line 9: found `9223372036854775807`", "1 to 8"],
         ),
-        ("obj-word", sound.replace("f 1 4 3 2", "f one 4 3 2"), ["valid OBJ", "face parse error"]),
-        ("obj-short", sound.replace("v 2 2 0", "v 2 2"), ["valid OBJ", "position parse error"]),
-        ("obj-nan", sound.replace("v 2 2 0", "v 2 nan 0"), ["y of vertex ", "NaN"]),
-        ("obj-inf", sound.replace("v 2 2 0", "v 2 1e999 0"), ["y of vertex ", "inf"]),
-        ("obj-line", sound.replace("f 1 4 3 2", "f 1 4"), ["has 2 corners", "at least 3"]),
-        ("obj-point", sound.replace("f 1 4 3 2", "f"), ["has 0 corners", "at least 3"]),
-        ("obj-open", sound.replace("f 1 4 3 2\n", ""), ["the surface is open", ""]),
+        (
+            "obj-word",
+            sound.replace("f 1 4 3 2", "f one 4 3 2"),
+            ["line 9: found `one`", "the number of a vertex"],
+        ),
+        (
+            "obj-short",
+            sound.replace("v 2 2 0", "v 2 2"),
+            ["line 3: found `v 2 2`", "`v` and three finite"],
+        ),
+        (
+            "obj-nan",
+            sound.replace("v 2 2 0", "v 2 nan 0"),
+            ["line 3: found `v 2 nan 0`", "`v` and three finite"],
+        ),
+        (
+            "obj-inf",
+            sound.replace("v 2 2 0", "v 2 1e999 0"),
+            ["line 3: found `v 2 1e999 0`", "`v` and three finite"],
+        ),
+        (
+            "obj-line",
+            sound.replace("f 1 4 3 2", "f 1 4"),
+            ["line 9: found `f 1 4`", "`f` and at least three"],
+        ),
+        (
+            "obj-point",
+            sound.replace("f 1 4 3 2", "f"),
+            ["line 9: found `f`", "`f` and at least three"],
+        ),
+        (
+            "obj-open",
+            sound.replace("f 1 4 3 2\n", ""),
+            ["the surface is open", "vertex 5 is at (2, 0, 0)"],
+        ),
         ("obj-bent", sound.replace("v 2 2 2", "v 2 2 3"), ["is not flat", "split it"]),
-        ("obj-weight", sound.replace("v 2 2 2", "v 2 2 2 0"), ["valid OBJ", "scaling (w) by zero"]),
+        (
+            "obj-weight",
+            sound.replace("v 2 2 2", "v 2 2 2 0"),
+            ["line 7: found `v 2 2 2 0`", "a fourth number other"],
+        ),
     ] {
         assert_says(&refused(name, "cube.obj", content), &pieces);
     }

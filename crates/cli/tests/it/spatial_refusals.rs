@@ -221,7 +221,12 @@ fn meshes_that_are_no_solid_are_bad_input() {
     for (name, file, content, piece) in [
         ("cut", "cube.stl", whole[..300].to_vec(), "is it cut off"),
         ("open", "cube.stl", binary("open", &triangles()[..11]), "the surface is open"),
-        ("index", "cube.obj", obj().replace("f 1 4", "f 99 4").into_bytes(), "out of bounds"),
+        (
+            "index",
+            "cube.obj",
+            obj().replace("f 1 4", "f 99 4").into_bytes(),
+            "line 9: found `99`, expected",
+        ),
     ] {
         let folder = mesh(name, file, content);
         let place = "part.toml:2:8: part.spatial.mesh: ";

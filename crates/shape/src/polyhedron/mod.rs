@@ -74,6 +74,7 @@ pub struct Polyhedron {
     enclosing_radius: f64,
     is_convex: bool,
     volume: f64,
+    pieces: usize,
     extremes: ExtremePoints<3>,
     tree: FaceTree,
 }
@@ -124,7 +125,7 @@ impl Polyhedron {
         crossing::check_crossings(&vertices, &faces, &edges, &tree)?;
         let shells =
             Shells { vertices: &vertices, faces: &faces, first_faces: &first_faces, tree: &tree };
-        let volume = shells.checked_volume(box_center, largest)?;
+        let (volume, pieces) = shells.checked_volume(box_center, largest)?;
         let distances = used.iter().map(|&v| (vertices[v] - box_center).norm());
         let enclosing_radius = distances.fold(0.0, f64::max);
         let is_one_piece = first_faces.iter().all(|&first| first == 0);
@@ -141,6 +142,7 @@ impl Polyhedron {
             enclosing_radius,
             is_convex,
             volume,
+            pieces,
             extremes,
             tree,
         })
@@ -194,6 +196,12 @@ impl Polyhedron {
     #[must_use]
     pub fn volume(&self) -> f64 {
         self.volume
+    }
+
+    /// How many pieces the solid is in, which no face joins: 1 for most, whatever its cavities.
+    #[must_use]
+    pub fn pieces(&self) -> usize {
+        self.pieces
     }
 
     /// The center of the box along the axes around all vertices that faces use.

@@ -51,13 +51,13 @@ struct Measure {
 }
 
 impl Shells<'_> {
-    /// The volume, where each shell has one and is wound as its place needs; `center` is near the
-    /// solid, whose coordinates are up to `largest`.
+    /// The volume, and in how many pieces it is, where each shell has a volume and is wound as its
+    /// place needs; `center` is near the solid, whose coordinates are up to `largest`.
     pub(super) fn checked_volume(
         &self,
         center: Vector<3>,
         largest: f64,
-    ) -> Result<f64, PolyhedronError> {
+    ) -> Result<(f64, usize), PolyhedronError> {
         let measures = self.measures(center);
         for (&face, &Measure { volume, area }) in &measures {
             let allowed = VOLUME_ROUNDING * area * largest;
@@ -74,7 +74,8 @@ impl Shells<'_> {
             Some((&face, &Measure { volume: own, .. })) if volume <= 0.0 => {
                 Err(PolyhedronError::InsideOut { face, volume: own })
             }
-            _ => Ok(volume),
+            // The other shells are those of cavities.
+            _ => Ok((volume, measures.values().filter(|shell| shell.volume > 0.0).count())),
         }
     }
 

@@ -40,7 +40,7 @@ fn found((vertices, faces): &Mesh) -> Option<PolyhedronError> {
 fn a_piece_that_is_inside_out_beside_another_is_refused() {
     let (large, small) = (cube(2.0, [0.0; 3]), cube(1.0, [8.0, 0.0, 0.0]));
     let pieces = joined(&[(large.clone(), Wound::Outward), (small.clone(), Wound::Outward)]);
-    assert_eq!(solid(&pieces).volume(), 64.0 + 8.0);
+    assert_eq!((solid(&pieces).volume(), solid(&pieces).pieces()), (64.0 + 8.0, 2));
     let inside_out = |shells: &[(Mesh, Wound)], first: usize| {
         let fault = found(&joined(shells)).unwrap();
         let PolyhedronError::InsideOut { face, volume } = fault else { panic!("{fault:?}") };
@@ -63,7 +63,10 @@ fn a_shell_inside_another_is_wound_against_it() {
         let meshes = [outer.clone(), middle.clone(), inner.clone()];
         joined(&meshes.into_iter().zip(wound).collect::<Vec<_>>())
     };
+    let hollow = joined(&[(outer.clone(), Outward), (middle.clone(), Inward)]);
+    assert_eq!((solid(&outer).pieces(), solid(&hollow).pieces()), (1, 1));
     let part = solid(&nested([Outward, Inward, Outward]));
+    assert_eq!(part.pieces(), 2);
     assert_close(part.volume(), 216.0 - 64.0 + 8.0, f64::EPSILON, 216.0, "volume");
     assert_eq!(part.signed_distance([0.25, 1.75, 0.5].into()), 0.25);
     assert_eq!(part.signed_distance([0.25, 0.75, 0.5].into()), -0.25);

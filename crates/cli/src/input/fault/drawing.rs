@@ -39,6 +39,14 @@ pub(crate) enum DrawingFault {
 }
 
 impl DrawingFault {
+    /// The line of the drawing that it is about.
+    pub(super) fn line(&self) -> Option<usize> {
+        match self {
+            Self::Drawing(error) => error.line(),
+            _ => None,
+        }
+    }
+
     pub(super) fn help(&self) -> Option<&'static str> {
         match self {
             Self::Drawing(DrawingError::BinaryDxf | DrawingError::Dwg) => {

@@ -49,10 +49,10 @@ pub(crate) struct InputError {
 /// A place in the text of a file.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct Position {
-    /// From 1.
-    pub(crate) line: usize,
+    /// From 1; none if the fault is of the file as a whole.
+    pub(crate) line: Option<usize>,
     /// In characters, from 1.
-    pub(crate) column: usize,
+    pub(crate) column: Option<usize>,
     /// The path of the value, if it is about one.
     pub(crate) field: Option<String>,
 }
@@ -74,7 +74,7 @@ impl InputError {
             format!("{name}:{line}:{column}: {place}: ")
         };
         let field = (!place.steps().is_empty()).then(|| place.to_string());
-        let position = Position { line, column, field };
+        let position = Position { line: Some(line), column: Some(column), field };
         Self { at, file: name.to_owned(), position, fault, excerpt: Some(excerpt) }
     }
 
@@ -100,8 +100,7 @@ impl InputError {
             Some("forbidden") => "--forbid: ".to_owned(),
             _ => format!("{name}: "),
         };
-        // There is no text: the file begins where it would.
-        let position = Position { line: 1, column: 1, field: None };
+        let position = Position { line: fault.line(), column: None, field: None };
         Self { at, file: name.to_owned(), position, fault, excerpt: None }
     }
 
@@ -181,6 +180,15 @@ pub(crate) enum Fault {
 }
 
 impl Fault {
+    /// The line of the drawing or the mesh that it is about.
+    fn line(&self) -> Option<usize> {
+        match self {
+            Self::Part(PartFault::Mesh { fault, .. }) => fault.line(),
+            Self::Part(PartFault::Drawing { fault, .. }) => fault.line(),
+            _ => None,
+        }
+    }
+
     fn help(&self) -> Option<Cow<'static, str>> {
         let fixed = match self {
             Self::Contact(fault) => return fault.help(),

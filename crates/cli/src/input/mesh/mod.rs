@@ -2,7 +2,9 @@
 
 mod obj;
 mod stl;
+mod stl_text;
 
+use std::collections::HashMap;
 use std::fs;
 use std::path::Path;
 
@@ -33,13 +35,28 @@ pub(super) fn read(path: &Path) -> Result<Polyhedron, MeshFault> {
     if bytes.iter().all(u8::is_ascii_whitespace) {
         return Err(MeshFault::Empty);
     }
-    let failed = MeshFault::Panicked;
-    if stl {
-        let triangles = shielded(|| stl::triangles(bytes)).ok_or(failed)??;
-        Polyhedron::from_triangles(&triangles)
-    } else {
-        let (vertices, faces) = shielded(|| obj::surface(bytes)).ok_or(failed)??;
-        Polyhedron::new(&vertices, &faces)
+    let read = if stl { stl::surface } else { obj::surface };
+    let (vertices, faces) = shielded(|| read(bytes)).ok_or(MeshFault::Panicked)??;
+    Polyhedron::new(&vertices, &faces).map_err(|fault| MeshFault::of_surface(fault, &vertices))
+}
+
+/// Vertices, and the faces by the numbers of their vertices.
+type Surface = (Vec<[f64; 3]>, Vec<Vec<usize>>);
+
+/// Vertices without repetition, numbered as they first occur: triangles of STL files and objects of
+/// OBJ files bring those that they share each for themselves.
+#[derive(Default)]
+struct Vertices {
+    places: Vec<[f64; 3]>,
+    numbers: HashMap<[u64; 3], usize>,
+}
+
+impl Vertices {
+    fn number(&mut self, place: [f64; 3]) -> usize {
+        // Adding zero makes the two zeros equal.
+        *self.numbers.entry(place.map(|x| (x + 0.0).to_bits())).or_insert_with(|| {
+            self.places.push(place);
+            self.places.len() - 1
+        })
     }
-    .map_err(MeshFault::Surface)
 }

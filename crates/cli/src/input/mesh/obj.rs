@@ -1,20 +1,18 @@
 //! OBJ files: vertices, and faces with any number of corners.
 
-use std::collections::HashMap;
+use std::borrow::Cow;
 use std::io::Cursor;
 
 use tobj::{LoadOptions, Mesh};
 
 use super::super::fault::MeshFault;
-
-/// Vertices, and the faces by the numbers of their vertices.
-pub(super) type Surface = (Vec<[f64; 3]>, Vec<Vec<usize>>);
+use super::{Surface, Vertices};
 
 /// The surface of all objects of a file together, its faces in their order.
 pub(super) fn surface(bytes: Vec<u8>) -> Result<Surface, MeshFault> {
     let text = String::from_utf8(bytes)
         .map_err(|e| MeshFault::NotText { offset: e.utf8_error().valid_up_to() })?;
-    let mut prepared = Cursor::new(without_looks(&text));
+    let mut prepared = Cursor::new(without_looks(&text)?);
     let no_materials = |_: &std::path::Path| Ok(Default::default());
     let (models, _) = tobj::load_obj_buf(&mut prepared, &LoadOptions::default(), no_materials)
         .map_err(MeshFault::Obj)?;
@@ -35,31 +33,114 @@ pub(super) fn surface(bytes: Vec<u8>) -> Result<Surface, MeshFault> {
 }
 
 /// The file without what is not shape: texture and shading, whose numbers the reader multiplies
-/// without a check, colors, lines and free curves. A backslash joins a line to the next one.
-fn without_looks(text: &str) -> String {
-    let text = text.replace("\r\n", "\n").replace("\\\n", " ");
-    let mut shape = String::with_capacity(text.len());
-    for line in text.lines() {
-        let mut words = line.split('#').next().unwrap_or("").split_whitespace();
-        match words.next() {
-            Some("v") => {
-                let numbers: Vec<&str> = words.collect();
-                // With more than four numbers those after the third are a color.
-                let kept = if numbers.len() > 4 { 3 } else { numbers.len() };
-                shape.push_str("v ");
-                shape.push_str(&numbers[..kept].join(" "));
-            }
-            Some("f") => {
-                let corners: Vec<&str> =
-                    words.map(|corner| corner.split('/').next().unwrap_or("")).collect();
-                shape.push_str("f ");
-                shape.push_str(&corners.join(" "));
-            }
-            _ => continue,
-        }
-        shape.push('\n');
+/// without a check, colors, lines and free curves. What is left is checked, since the reader does
+/// not say which line it refuses.
+fn without_looks(text: &str) -> Result<String, MeshFault> {
+    let lines = whole_lines(text);
+    let count = |word: &str| {
+        let begins = |line: &str| line.split_whitespace().next() == Some(word);
+        lines.iter().filter(|(_, line)| begins(line)).count()
+    };
+    let vertices = count("v");
+    if vertices == 0 {
+        return Err(MeshFault::Nothing { what: "vertices, lines that begin with `v`" });
     }
-    shape
+    if count("f") == 0 {
+        return Err(MeshFault::Nothing { what: "faces, lines that begin with `f`" });
+    }
+    let mut shape = String::with_capacity(text.len());
+    let mut before = 0;
+    for (line, whole) in &lines {
+        let mut words = whole.split_whitespace();
+        let kept = match words.next() {
+            Some("v") => {
+                before += 1;
+                vertex(words.collect())
+            }
+            Some("f") => face(words, before, vertices),
+            _ => continue,
+        };
+        let (found, expected) = match kept {
+            Ok(kept) => {
+                shape.push_str(&kept);
+                shape.push('\n');
+                continue;
+            }
+            Err(fault) => fault,
+        };
+        let found = found.unwrap_or_else(|| whole.trim().to_owned());
+        return Err(MeshFault::Line { line: *line, found, expected });
+    }
+    Ok(shape)
+}
+
+/// The lines without comments, each with the number of the first one that it is of: a backslash
+/// joins a line to the next one.
+fn whole_lines(text: &str) -> Vec<(usize, String)> {
+    let mut lines: Vec<(usize, String)> = Vec::new();
+    let mut goes_on = false;
+    for (number, line) in (1..).zip(text.lines()) {
+        let without = line.strip_suffix('\\');
+        let piece = without.unwrap_or(line);
+        match lines.last_mut().filter(|_| goes_on) {
+            Some((_, whole)) => {
+                whole.push(' ');
+                whole.push_str(piece);
+            }
+            None => lines.push((number, piece.to_owned())),
+        }
+        goes_on = without.is_some();
+    }
+    for (_, line) in &mut lines {
+        line.truncate(line.find('#').unwrap_or(line.len()));
+    }
+    lines
+}
+
+/// A word of a line, or all of it, and what it should be.
+type Unexpected = (Option<String>, Cow<'static, str>);
+
+/// The line of a vertex, without its color: what follows the third of more than four numbers.
+fn vertex(mut numbers: Vec<&str>) -> Result<String, Unexpected> {
+    if numbers.len() > 4 {
+        numbers.truncate(3);
+    }
+    let is_finite = |word: &&str| word.parse().is_ok_and(f64::is_finite);
+    let is_scaled = || numbers.get(3).is_none_or(|scale| scale.parse() != Ok(0.0));
+    if numbers.len() < 3 || !numbers.iter().all(is_finite) {
+        return Err((None, "`v` and three finite numbers".into()));
+    }
+    if !is_scaled() {
+        return Err((None, "a fourth number other than 0, which the others are over".into()));
+    }
+    Ok(format!("v {}", numbers.join(" ")))
+}
+
+/// The line of a face, by the numbers of its corners alone; there are so many vertices `before`
+/// it, and so many in all.
+fn face<'a>(
+    words: impl Iterator<Item = &'a str>,
+    before: i64,
+    vertices: usize,
+) -> Result<String, Unexpected> {
+    let corners: Vec<&str> = words.map(|word| word.split('/').next().unwrap_or("")).collect();
+    if corners.len() < 3 {
+        return Err((None, "`f` and at least three vertices".into()));
+    }
+    let is_vertex = |corner: &&str| {
+        corner.parse().is_ok_and(|number: i64| match usize::try_from(number) {
+            Ok(number) => (1..=vertices).contains(&number),
+            Err(_) => number >= -before,
+        })
+    };
+    if let Some(other) = corners.iter().find(|corner| !is_vertex(corner)) {
+        let expected = format!(
+            "the number of a vertex for a corner of a face: 1 to {vertices}, or back from the last \
+             one before it, -1 to -{before}"
+        );
+        return Err((Some((*other).to_owned()), expected.into()));
+    }
+    Ok(format!("f {}", corners.join(" ")))
 }
 
 /// The numbers of corners of the faces; the reader gives none if all are triangles.
@@ -68,21 +149,4 @@ fn arities(mesh: &Mesh) -> Vec<usize> {
         return vec![3; mesh.indices.len() / 3];
     }
     mesh.face_arities.iter().map(|&arity| arity as usize).collect()
-}
-
-/// Vertices without repetition: objects bring those that they share each for themselves.
-#[derive(Default)]
-struct Vertices {
-    places: Vec<[f64; 3]>,
-    numbers: HashMap<[u64; 3], usize>,
-}
-
-impl Vertices {
-    fn number(&mut self, place: [f64; 3]) -> usize {
-        // Adding zero makes the two zeros equal.
-        *self.numbers.entry(place.map(|x| (x + 0.0).to_bits())).or_insert_with(|| {
-            self.places.push(place);
-            self.places.len() - 1
-        })
-    }
 }
