@@ -259,7 +259,13 @@ pub(super) fn ellipsoid<const N: usize>(
             EllipsoidError::SemiAxisOutOfRange { axis, .. } => axes().item(axis),
             _ => axes(),
         };
-        document.error(&place, PartFault::Ellipsoid(e))
+        let fault = match e {
+            EllipsoidError::SemiAxisOutOfRange { axis, value } => {
+                PartFault::SemiAxis { axis, value }
+            }
+            _ => PartFault::Ellipsoid(e),
+        };
+        document.error(&place, fault)
     })
 }
 

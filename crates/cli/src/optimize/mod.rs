@@ -22,6 +22,7 @@ use crate::report::html::{self, Inputs, Source};
 use crate::report::{
     self, EffortReport, ObjectiveWord, OptimumText, Question, UnansweredReport, UnitNames,
 };
+use crate::wording::counted;
 
 pub(crate) use found::{Found, Held, On, OutOfRange};
 
@@ -196,7 +197,14 @@ fn unanswered(
     question: &Question<'_>,
     error: &OptimizeError,
 ) -> Result<Answer, Failure> {
-    let reason = error.to_string();
+    let reason = match error {
+        OptimizeError::NothingFound { fingers, upper_bound, .. } => format!(
+            "the search for {} was stopped before it found a placement; none is better than {}",
+            counted(*fingers, "finger"),
+            UnitNames(question.units).stiffness(*upper_bound)
+        ),
+        _ => error.to_string(),
+    };
     let report = match arguments.output.format {
         Format::Text => String::new(),
         Format::Json => report::json(&UnansweredReport { question, reason: &reason })?,

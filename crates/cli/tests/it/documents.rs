@@ -187,5 +187,5 @@ fn the_keys_of_the_reports_are_those_of_the_page() {
          --finger-radius 4 --clearance 1",
     );
     let more: BTreeSet<String> = keys(&tips).difference(&keys(&solid)).cloned().collect();
-    assert_eq!(more, listed(&["| of a solid, where tips need room | value"]));
+    assert_eq!(more, listed(&["| where fingers need room | value"]));
 }

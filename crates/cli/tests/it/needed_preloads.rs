@@ -182,3 +182,19 @@ fn what_no_preload_prevents_is_said() {
         }
     }
 }
+
+/// A contact that just stays on has no force left, and not the rounding of none.
+#[test]
+fn a_force_that_is_rounding_beside_the_total_is_zero() {
+    let parts = concat!(env!("CARGO_MANIFEST_DIR"), "/../../parts");
+    let folder = Folder::new("needed-zero");
+    let text = folder.run(&format!("analyze {parts}/cube-grasp.toml")).out;
+    let table = text.split("whatever load case acts\n").nth(1).unwrap();
+    let table = table.split("\nunder load:").next().unwrap();
+    let head = table.lines().next().unwrap();
+    let mut columns: Vec<&str> = head.split("  ").filter(|name| !name.is_empty()).collect();
+    columns.sort_unstable();
+    assert!(columns.windows(2).all(|pair| pair[0] != pair[1]), "{head}");
+    let cells = || table.lines().skip(1).flat_map(str::split_whitespace);
+    assert!(cells().any(|cell| cell == "0") && cells().all(|cell| !cell.contains('e')), "{table}");
+}

@@ -259,7 +259,7 @@ fn parts_of_no_shape_or_several_are_refused() {
         (
             "zero-axis",
             "[part.spatial]\nellipsoid = [3, 0, 1]\n",
-            ["ellipsoid[1]", "semi-axis 1 is 0e0"],
+            ["ellipsoid[1]", "semi-axis 1 is 0, but has to be from 1e-"],
         ),
         (
             "two-axes",
@@ -309,7 +309,11 @@ fn parts_of_no_shape_or_several_are_refused() {
             "[part.planar]\noutline = [[0, 0], [1, 0], [0, 1]]\ncenter = [0, 0]\n",
             ["part.planar.center: ", "only an `ellipse` has"],
         ),
-        ("negative", "[part.planar]\nellipse = [1, -2]\n", ["ellipse[1]", "semi-axis 1 is -2e0"]),
+        (
+            "negative",
+            "[part.planar]\nellipse = [1, -2]\n",
+            ["ellipse[1]", "semi-axis 1 is -2, but has to be"],
+        ),
     ] {
         assert_says(&refused(name, part), &pieces);
     }

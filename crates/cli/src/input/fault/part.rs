@@ -1,7 +1,10 @@
 //! What can be wrong with a part.
 
 use clench::optimize::OptimizeError;
-use clench::shape::{AccessError, EllipsoidError, PolygonError, PolyhedronError};
+use clench::shape::{
+    AccessError, EllipsoidError, LARGEST_COORDINATE, PolygonError, PolyhedronError,
+    SMALLEST_COORDINATE,
+};
 
 use super::{DrawingFault, MeshFault};
 use crate::input::PieceKind;
@@ -51,6 +54,13 @@ pub(crate) enum PartFault {
     /// The outline is not valid.
     #[error(transparent)]
     Outline(PolygonError),
+    /// A semi-axis is zero, negative, or out of the range of numbers.
+    #[error(
+        "semi-axis {axis} is {}, but has to be from {SMALLEST_COORDINATE:e} to \
+         {LARGEST_COORDINATE:e}",
+        digits(*.value)
+    )]
+    SemiAxis { axis: usize, value: f64 },
     /// The ellipse or ellipsoid is not valid.
     #[error(transparent)]
     Ellipsoid(EllipsoidError),
