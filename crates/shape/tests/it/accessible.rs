@@ -180,8 +180,8 @@ fn a_ball_touches_where_another_library_says_that_it_has_room() {
 
 #[test]
 fn the_same_holds_on_random_prisms_and_rough_balls() {
-    let r = &mut Random::new(302);
-    for round in 0..40 {
+    let r = &mut Random::new(3021);
+    for round in 0..120 {
         let corners = 5 + r.below(20);
         let star = prism(&r.star(corners), 0.7);
         let part = if round % 5 == 0 {

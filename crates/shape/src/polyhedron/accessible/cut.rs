@@ -76,10 +76,17 @@ impl Rest {
     /// Whatever the library did: nothing that was taken off is in them.
     pub(super) fn triangles(self) -> Option<Vec<[Vector<2>; 3]>> {
         let Self { mut triangles, removed, is_whole, .. } = self;
-        let is_off = |triangle: &[Vector<2>; 3]| {
-            !removed.iter().any(|cover| cover.overlaps(triangle, PLANE_ROUNDING))
-        };
-        triangles.retain(is_off);
+        for cover in removed {
+            let off = |triangle: [Vector<2>; 3]| {
+                if cover.overlaps(&triangle, PLANE_ROUNDING) {
+                    cover.outside(&triangle)
+                } else {
+                    vec![triangle]
+                }
+            };
+            triangles = triangles.into_iter().flat_map(off).collect();
+        }
+        triangles.retain(|triangle| width(triangle) > PLANE_ROUNDING);
         (!is_whole).then_some(triangles)
     }
 
