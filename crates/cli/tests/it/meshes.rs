@@ -272,7 +272,7 @@ fn obj_files_that_are_no_solid_are_refused() {
         (
             "obj-weight",
             sound.replace("v 2 2 2", "v 2 2 2 0"),
-            ["line 7: found `v 2 2 2 0`", "a fourth number other"],
+            ["line 7: found `v 2 2 2 0`", "the fourth, which divides them, other than 0"],
         ),
     ] {
         assert_says(&refused(name, "cube.obj", content), &pieces);

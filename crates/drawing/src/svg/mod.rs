@@ -66,6 +66,7 @@ pub(super) fn read(bytes: &[u8], layers: &[&str]) -> Result<Sheet, DrawingError>
         layer: "",
         is_layer: false,
         style: Style::default().within(root),
+        has_class: root.has_attribute("class"),
         depth: 0,
     };
     reader.children(root, &state)?;
@@ -97,6 +98,8 @@ struct State<'a> {
     /// Whether the layer is called so, and not only a group with a name.
     is_layer: bool,
     style: Style,
+    /// Whether a style sheet could have more to say of it.
+    has_class: bool,
     depth: usize,
 }
 
@@ -131,6 +134,7 @@ impl<'a, 'input> Reader<'a, 'input> {
         let mut state = State { depth: state.depth + 1, ..state.clone() };
         state.map *= transform(node, line)?;
         state.style = state.style.within(node);
+        state.has_class |= node.has_attribute("class");
         match node.tag_name().name() {
             "g" | "a" | "switch" => {
                 state.enter(node);
@@ -177,7 +181,7 @@ impl<'a, 'input> Reader<'a, 'input> {
             self.sheet.aside.note(kind, layer, Reason::NoSize);
             return Ok(());
         }
-        if self.is_styled && node.has_attribute("class") {
+        if self.is_styled && state.has_class {
             self.sheet.aside.note("class", layer, Reason::StyleSheet);
         }
         let source = self.sheet.sources.len();

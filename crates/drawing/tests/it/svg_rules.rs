@@ -112,7 +112,7 @@ fn what_svg_does_not_draw_is_left_aside() {
 #[test]
 fn style_sheets_are_named() {
     let shapes = "<rect class=\"edge\" width=\"60\" height=\"40\"/>\
-        <g id=\"bores\"><circle class=\"gone\" cx=\"20\" cy=\"20\" r=\"5\"/></g>";
+        <g id=\"bores\" class=\"gone\"><circle cx=\"20\" cy=\"20\" r=\"5\"/></g>";
     let of = |style: &str| of_svg(&svg(PAGE, &format!("{style}{shapes}")), None);
     let classes = [
         "1 class on no layer (style sheets are not read)",

@@ -111,7 +111,8 @@ fn vertex(mut numbers: Vec<&str>) -> Result<String, Unexpected> {
         return Err((None, "`v` and three finite numbers".into()));
     }
     if !is_scaled() {
-        return Err((None, "a fourth number other than 0, which the others are over".into()));
+        let expected = "`v` and three finite numbers, the fourth, which divides them, other than 0";
+        return Err((None, expected.into()));
     }
     Ok(format!("v {}", numbers.join(" ")))
 }
@@ -134,10 +135,11 @@ fn face<'a>(
         })
     };
     if let Some(other) = corners.iter().find(|corner| !is_vertex(corner)) {
-        let expected = format!(
-            "the number of a vertex for a corner of a face: 1 to {vertices}, or back from the last \
-             one before it, -1 to -{before}"
-        );
+        let back = match before {
+            0 => String::new(),
+            _ => format!(", or -1 to -{before} back from the last one before the face"),
+        };
+        let expected = format!("the number of a vertex, 1 to {vertices}{back}");
         return Err((Some((*other).to_owned()), expected.into()));
     }
     Ok(format!("f {}", corners.join(" ")))
