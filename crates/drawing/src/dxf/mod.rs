@@ -9,7 +9,7 @@ use kurbo::Affine;
 
 use self::blocks::{Blocks, Entity, entities};
 use self::pairs::{Value, records};
-use self::tables::Tables;
+use self::tables::{CONTINUOUS, Tables};
 use crate::error::DrawingError;
 use crate::sheet::{Sheet, Strand, is_one_of};
 use crate::source::{Reason, Source};
@@ -75,7 +75,7 @@ pub(super) fn read(bytes: &[u8], layers: &[&str]) -> Result<Sheet, DrawingError>
         within: Vec::new(),
         drawn: 0,
     };
-    let frame = Frame { map: Affine::IDENTITY, layer: None };
+    let frame = Frame { map: Affine::IDENTITY, layer: None, line_type: CONTINUOUS };
     for entity in entities(&records, "ENTITIES") {
         reader.entity(&entity, &frame)?;
     }
@@ -110,6 +110,8 @@ struct Frame<'a> {
     map: Affine,
     /// The layer of the block's place, which what is on layer 0 of the block takes.
     layer: Option<&'a str>,
+    /// The line type of the block's place, for what is drawn by block.
+    line_type: &'a str,
 }
 
 struct Reader<'a> {
@@ -134,7 +136,7 @@ impl<'a> Reader<'a> {
         self.sheet.know(layer);
         let aside = |sheet: &mut Sheet, reason| sheet.aside.note(record.kind, layer, reason);
         if record.kind == "INSERT" {
-            return match self.hidden(entity) {
+            return match self.place_hidden(entity, layer) {
                 Some(reason) => {
                     aside(&mut self.sheet, reason);
                     Ok(())
@@ -145,7 +147,7 @@ impl<'a> Reader<'a> {
         match entity::curves(entity)? {
             None => aside(&mut self.sheet, Reason::NoCurve),
             Some(_) if !self.asked_for(layer) => aside(&mut self.sheet, Reason::OtherLayer),
-            Some(curves) => match (self.hidden(entity), curves) {
+            Some(curves) => match (self.hidden(entity, layer, frame), curves) {
                 (Some(reason), _) => aside(&mut self.sheet, reason),
                 (None, entity::Curves::OffPlane) => aside(&mut self.sheet, Reason::OffPlane),
                 (None, entity::Curves::InPlane(curves)) => {
@@ -163,19 +165,24 @@ impl<'a> Reader<'a> {
         Ok(())
     }
 
-    /// Why an entity that could be part of the outline is none, if it is none.
-    fn hidden(&self, entity: &Entity<'_>) -> Option<Reason> {
-        let record = entity.record;
-        let layer = record.text(8).unwrap_or("0");
-        if record.flags(67) == 1 {
-            Some(Reason::Paper)
-        } else if record.flags(60) == 1 || (self.layers.is_empty() && self.tables.hides(layer)) {
-            Some(Reason::Hidden)
-        } else if self.tables.is_broken(record.text(6), layer) {
-            Some(Reason::Broken)
-        } else {
-            None
-        }
+    /// Why a block is not drawn at a place on this layer, if it is not: that the layer is off, or
+    /// of a broken line, is of no matter to what is on others.
+    fn place_hidden(&self, place: &Entity<'a>, layer: &str) -> Option<Reason> {
+        hidden_itself(place).or_else(|| {
+            let is_frozen = self.layers.is_empty() && self.tables.freezes(layer);
+            is_frozen.then_some(Reason::Hidden)
+        })
+    }
+
+    /// Why an entity on this layer that could be part of the outline is none, if it is none.
+    fn hidden(&self, entity: &Entity<'a>, layer: &str, frame: &Frame<'a>) -> Option<Reason> {
+        hidden_itself(entity).or_else(|| {
+            if self.layers.is_empty() && self.tables.hides(layer) {
+                return Some(Reason::Hidden);
+            }
+            let line_type = self.tables.line_type(entity.record.text(6), layer, frame.line_type);
+            self.tables.is_broken(line_type).then_some(Reason::Broken)
+        })
     }
 
     fn asked_for(&self, layer: &str) -> bool {
@@ -208,9 +215,10 @@ impl<'a> Reader<'a> {
             self.sheet.aside.note(record.kind, layer, Reason::OffPlane);
             return Ok(());
         };
+        let line_type = self.tables.line_type(record.text(6), layer, frame.line_type);
         self.within.push(block.name);
         for place in places {
-            let frame = Frame { map: frame.map * place, layer: Some(layer) };
+            let frame = Frame { map: frame.map * place, layer: Some(layer), line_type };
             self.drawn += 1;
             if self.drawn > MOST_ENTITIES {
                 return Err(DrawingError::TooManyEntities { most: MOST_ENTITIES });
@@ -221,5 +229,15 @@ impl<'a> Reader<'a> {
         }
         self.within.pop();
         Ok(())
+    }
+}
+
+/// Why an entity is not seen whatever its layer, if it is not.
+fn hidden_itself(entity: &Entity<'_>) -> Option<Reason> {
+    let record = entity.record;
+    if record.flags(67) == 1 {
+        Some(Reason::Paper)
+    } else {
+        (record.flags(60) == 1).then_some(Reason::Hidden)
     }
 }

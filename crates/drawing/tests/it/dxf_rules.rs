@@ -2,11 +2,11 @@
 
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test that cannot go on fails")]
 
-use clench_drawing::{DrawingError, Sheet};
+use clench_drawing::{DrawingError, DrawnPart, Sheet};
 use clench_testkit::assert_close;
 use clench_testkit::drawings::{dxf, loop_of, with_tables};
 
-use crate::sketch::of_dxf;
+use crate::sketch::{aside, layers, of_dxf};
 
 const MM: Option<u8> = Some(4);
 const SQUARE: [[f64; 2]; 4] = [[0.0, 0.0], [10.0, 0.0], [10.0, 10.0], [0.0, 10.0]];
@@ -81,6 +81,75 @@ fn blocks_are_nested_up_to_a_limit_that_is_told() {
     let says = "the block `B17` is within 16 others, one in the other, expected blocks nested at \
                 most 16 deep";
     assert!(error.to_string().ends_with(says), "{error}");
+}
+
+/// A block of a square of lines on `layer`, each with `more` codes, put in by `place`.
+fn of_block(tables: &str, layer: &str, more: &str, place: &str) -> Result<DrawnPart, DrawingError> {
+    let tables = format!("LTYPE - 2 CENTER 73 2 49 1 49 -1\n{tables}");
+    let lines = loop_of(layer, &SQUARE).replace('\n', &format!(" {more}\n"));
+    let block = format!("BLOCK - 2 B 10 0 20 0\n{lines}ENDBLK -");
+    let text = with_tables(MM, &tables, &block, place);
+    Sheet::from_dxf(text.as_bytes(), &[])?.part(1.0, None)
+}
+
+/// Asserts that a square is drawn on this layer, and nothing left aside.
+fn assert_drawn(part: Result<DrawnPart, DrawingError>, layer: &str) {
+    let part = part.unwrap();
+    assert_eq!(part.polygon().area().to_bits(), 100.0_f64.to_bits());
+    assert_eq!((layers(&part), aside(&part)), (vec![layer], Vec::new()));
+}
+
+/// Asserts that nothing is drawn, and what is left aside instead.
+fn assert_aside(part: Result<DrawnPart, DrawingError>, expected: &str) {
+    let Err(DrawingError::NothingDrawn { left_aside }) = part else { panic!("{part:?}") };
+    let found: Vec<String> = left_aside.iter().map(ToString::to_string).collect();
+    assert_eq!(found, [expected]);
+}
+
+/// What is on layer 0 of a block is seen if the layer of its place is, whatever layer 0 is.
+#[test]
+fn layer_0_of_a_block_is_as_visible_as_the_layer_of_its_place() {
+    let place = "INSERT PART 2 B 10 0 20 0";
+    for zero in ["70 0 62 -7", "70 1 62 7", "70 0 62 7 290 0"] {
+        let tables = format!("LAYER - 2 0 {zero}\nLAYER - 2 PART 70 0 62 7");
+        assert_drawn(of_block(&tables, "0", "", place), "PART");
+    }
+    let off = "LAYER - 2 0 70 0 62 7\nLAYER - 2 PART 70 0 62 -7";
+    assert_aside(of_block(off, "0", "", place), "4 LINE on layer `PART` (hidden)");
+}
+
+/// So are lines by layer and by block as broken as those of their place, and no others.
+#[test]
+fn layer_0_of_a_block_is_as_broken_as_the_layer_of_its_place() {
+    let place = "INSERT PART 2 B 10 0 20 0";
+    let zero = "LAYER - 2 0 70 0 6 CENTER\nLAYER - 2 PART 70 0 6 CONTINUOUS";
+    for line_type in ["", "6 BYLAYER", "6 ByBlock"] {
+        assert_drawn(of_block(zero, "0", line_type, place), "PART");
+    }
+    let part = "LAYER - 2 PART 70 0 6 CENTER";
+    let broken = "4 LINE on layer `PART` (a broken line)";
+    for line_type in ["", "6 BYLAYER", "6 BYBLOCK", "6 CENTER"] {
+        assert_aside(of_block(part, "0", line_type, place), broken);
+    }
+    // Lines by block take the type of the place itself, lines by layer do not.
+    let own = "INSERT PART 2 B 6 CENTER 10 0 20 0";
+    assert_aside(of_block("", "0", "6 BYBLOCK", own), broken);
+    assert_drawn(of_block("", "0", "", own), "PART");
+}
+
+/// A place on a layer of a broken line, or on one that is off, leaves what is on other layers; one
+/// on a frozen layer, or hidden itself, leaves nothing.
+#[test]
+fn a_block_is_as_visible_as_its_own_layers_are() {
+    let place = "INSERT AXES 2 B 10 0 20 0";
+    for axes in ["70 0 62 7 6 CENTER", "70 0 62 -7", "70 0 62 7 290 0"] {
+        assert_drawn(of_block(&format!("LAYER - 2 AXES {axes}"), "EDGE", "", place), "EDGE");
+    }
+    let insert = "1 INSERT on layer `AXES` (hidden)";
+    assert_aside(of_block("LAYER - 2 AXES 70 1 62 7", "EDGE", "", place), insert);
+    assert_aside(of_block("", "EDGE", "", "INSERT AXES 60 1 2 B 10 0 20 0"), insert);
+    let paper = of_block("", "EDGE", "", "INSERT AXES 67 1 2 B 10 0 20 0");
+    assert_aside(paper, "1 INSERT on layer `AXES` (on paper)");
 }
 
 /// Edges of straight lines are the lines, whatever the chord and whatever is hidden.
