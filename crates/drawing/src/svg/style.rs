@@ -24,10 +24,7 @@ impl Style {
             style.invisible = value != "visible" && value != "inherit";
         }
         if let Some(value) = property(node, "stroke-dasharray") {
-            let gap = |part: &str| {
-                part.trim().starts_with(|c: char| ('1'..='9').contains(&c) || c == '.' || c == '0')
-            };
-            style.broken = value != "none" && value.split([',', ' ']).any(gap);
+            style.broken = is_broken(value);
         }
         style
     }
@@ -42,6 +39,16 @@ impl Style {
             None
         }
     }
+}
+
+/// Whether a line with these dashes and gaps has any: if all are 0 it is solid, and so it is if one
+/// is negative.
+fn is_broken(dashes: &str) -> bool {
+    let is_unit = |c: char| c.is_ascii_alphabetic() || c == '%';
+    let number = |dash: &str| dash.trim_end_matches(is_unit).parse::<f64>().ok();
+    let parts = dashes.split(|c: char| c == ',' || c.is_ascii_whitespace());
+    let numbers: Vec<f64> = parts.filter_map(number).collect();
+    numbers.iter().any(|dash| *dash > 0.0) && !numbers.iter().any(|dash| *dash < 0.0)
 }
 
 /// What the style sheets of a file are in, each by its name; those without rules are none.

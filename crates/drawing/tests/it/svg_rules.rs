@@ -108,6 +108,28 @@ fn what_svg_does_not_draw_is_left_aside() {
     assert_eq!(aside(&part), expected);
 }
 
+/// Section 11.4 of SVG 1.1: the line is solid if all dashes are 0, and if one is negative, which is
+/// an error.
+#[test]
+fn lines_are_broken_if_a_dash_has_a_length() {
+    let outline = "<rect width=\"60\" height=\"40\"/>";
+    let count = |dashes: &str| {
+        let bore = "<circle cx=\"20\" cy=\"20\" r=\"5\"";
+        let text = svg(PAGE, &format!("{outline}{bore} {dashes}/>"));
+        let part = of_svg(&text, None);
+        assert!(part.left_aside().iter().all(|aside| aside.reason == Reason::Broken), "{dashes}");
+        contours(&part).len()
+    };
+    for solid in ["none", "0", "0,0", "0.0 0", "0px", "0 0mm", " 0\n,\t0 ", "", "inherit", "4,-2"] {
+        assert_eq!(count(&format!("stroke-dasharray=\"{solid}\"")), 2, "`{solid}`");
+    }
+    for broken in ["4", "0 3", ".5,.5", "0.0,1e-1", "+4", "2mm 1mm", "5%", "4\n2", "1rem"] {
+        assert_eq!(count(&format!("stroke-dasharray=\"{broken}\"")), 1, "`{broken}`");
+    }
+    assert_eq!(count("style=\"stroke-dasharray: 0\""), 2);
+    assert_eq!(count("style=\"stroke-dasharray: 8, 4\""), 1);
+}
+
 /// What a style sheet hides is read all the same: it is named.
 #[test]
 fn style_sheets_are_named() {
