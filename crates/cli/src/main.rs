@@ -93,7 +93,7 @@ fn run(
     output: &OutputArguments,
 ) -> Result<Answer, Failure> {
     output.check_apart(inputs.iter().copied())?;
-    output.files().try_for_each(output::check_writable)?;
+    output::check_writable(output.files())?;
     let answer = answer()?;
     output.check_apart(answer.meshes.iter().map(PathBuf::as_path))?;
     finish(&answer, output)?;

@@ -6,15 +6,12 @@ use std::path::{Path, PathBuf};
 
 use crate::failure::Failure;
 
-/// Checks that a file can be written at `path`, by a file beside it that is removed at once: what
-/// is to be written may take an hour to find.
-pub(crate) fn check_writable(path: &Path) -> Result<(), Failure> {
-    let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty());
-    if let Some(folder) = folder.filter(|folder| !folder.is_dir()) {
-        let (name, folder) = (path.display().to_string(), folder.display().to_string());
-        return Err(Failure::NoFolder { name, folder });
-    }
-    Draft::new(path, "").map(drop)
+/// Checks that files can be written at these `paths`, by files beside them that are removed at
+/// once: what is to be written may take an hour to find. No two may be the same.
+pub(crate) fn check_writable<'a>(paths: impl Iterator<Item = &'a Path>) -> Result<(), Failure> {
+    let drafts: Vec<Draft<'_>> = paths.map(tried).collect::<Result<_, _>>()?;
+    drop(drafts);
+    Ok(())
 }
 
 /// Checks that writing `path` would not destroy the input file.
@@ -97,6 +94,16 @@ impl Drop for Draft<'_> {
             let _ = fs::remove_file(beside);
         }
     }
+}
+
+/// What is written at `path` to see whether it can be.
+fn tried(path: &Path) -> Result<Draft<'_>, Failure> {
+    let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty());
+    if let Some(folder) = folder.filter(|folder| !folder.is_dir()) {
+        let (name, folder) = (path.display().to_string(), folder.display().to_string());
+        return Err(Failure::NoFolder { name, folder });
+    }
+    Draft::new(path, "")
 }
 
 /// A name in the same folder that nobody else uses.

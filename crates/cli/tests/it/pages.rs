@@ -202,6 +202,9 @@ fn a_page_overwrites_no_input_and_no_picture() {
     let ran = folder.run("optimize part.toml --fingers 4 --report one --svg one");
     assert_eq!(ran.code, Some(2));
     assert_says(&ran.err, &["--svg and --report have the same file, expected one each"]);
+    let ran = folder.run("optimize part.toml --fingers 4 --report one --svg ./one");
+    assert_eq!((ran.code, ran.out.as_str()), (Some(1), ""));
+    assert_says(&ran.err, &["one: cannot be written"]);
     let ran = folder.run("optimize part.toml --fingers 4 --report none/page.html");
     assert_eq!((ran.code, ran.out.as_str()), (Some(1), ""));
     assert_says(&ran.err, &["none/page.html: cannot be written"]);
