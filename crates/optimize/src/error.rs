@@ -170,7 +170,7 @@ pub enum OptimizeError {
         value: f64,
     },
     /// No stretch of any edge may be touched.
-    #[error("no stretch of any edge may be touched")]
+    #[error("no stretch of any edge may be touched, with all that fingers have to stay off")]
     NowhereToTouch,
     /// All normals are so nearly parallel that rounding hides whether the part can be held.
     #[error(

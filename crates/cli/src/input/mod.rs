@@ -45,7 +45,7 @@ pub(crate) use alone::{Alone, FORCE, LayerStiffness, part_file};
 pub(crate) use boundary::{Piece, PieceKind};
 pub(crate) use document::Document;
 pub(crate) use drawn::{Asked, Drawn, drawn};
-pub(crate) use fault::{InputError, LoadFault, PartFault, Position};
+pub(crate) use fault::{InputError, LoadFault, Position};
 pub(crate) use given::{GivenContact, Holder, given_contacts};
 pub(crate) use grasp::{FileGrasp, planar_grasp, spatial_grasp};
 pub(crate) use load::{LoadCase, NamedPoint, PointForce, PointTolerance};

@@ -24,18 +24,12 @@ pub(super) fn allowed(
         part = part
             .with_margin(margin.0)
             .map_err(|e| document.error(&place, PartFault::Forbidden(Box::new(e))))?;
-        if part.stretches().is_empty() {
-            return Err(document.error(&place, PartFault::NowhereToTouch));
-        }
     }
     let list = Place::planar().field("forbidden");
     for (i, forbidden) in planar.forbidden.iter().enumerate() {
         part = without(part, forbidden).map_err(|e| {
             document.error(&list.clone().item(i), PartFault::Forbidden(Box::new(e)))
         })?;
-    }
-    if part.stretches().is_empty() {
-        return Err(document.error(&list, PartFault::NowhereToTouch));
     }
     Ok(part)
 }

@@ -134,6 +134,7 @@ const fn is_unanswered(error: &OptimizeError) -> bool {
             | OptimizeError::NeverHeld { .. }
             | OptimizeError::NothingFound { .. }
             | OptimizeError::NothingAccessible { .. }
+            | OptimizeError::NowhereToTouch
             | OptimizeError::CandidatesObstructed { .. }
     )
 }

@@ -13,7 +13,7 @@ use crate::answer::Answer;
 use crate::arguments::OptimizeArguments;
 use crate::failure::Failure;
 use crate::input::schema::{self, Forbidden};
-use crate::input::{self, Document, Drawn, Finite, PartFault, Place};
+use crate::input::{self, Document, Drawn, Finite};
 use crate::picture::{self, Figures, Picture};
 use crate::report::{
     AccessReport, DrawingReport, OptimumReport, OptimumText, OutlineReport, PlacementReport,
@@ -29,8 +29,8 @@ pub(super) fn optimize(
     part: &Part,
 ) -> Result<Answer, Failure> {
     arguments.check_for_outline().map_err(|message| Failure::Usage { message })?;
-    let of_file = Untouched { document, part, planar: file.part.planar.as_ref() };
-    let part = of_file.accessible(restricted(part.clone(), arguments)?, arguments)?;
+    let part = restricted(part.clone(), arguments)?;
+    let part = with_room(document, part, file.part.planar.as_ref(), arguments.finger_radius)?;
     add_restrictions(&mut file.part, arguments);
     let effort = arguments.effort_on_outline();
     let drawing = drawn.map(DrawingReport::new);
@@ -79,56 +79,19 @@ fn restricted(part: Part, arguments: &OptimizeArguments) -> Result<Part, Failure
     for forbidden in &arguments.forbid {
         part = input::without(part, forbidden).map_err(failure(format!("--forbid {forbidden}")))?;
     }
-    if part.stretches().is_empty() {
-        let option = match (arguments.margin, &arguments.forbid[..]) {
-            (Some(_), []) => "--margin",
-            (None, _) => "--forbid",
-            (Some(_), _) => "--margin and --forbid",
-        };
-        return Err(failure(option.to_owned())(OptimizeError::NowhereToTouch));
-    }
     Ok(part)
 }
 
-/// The part of a file, before the command line restricts it.
-struct Untouched<'a> {
-    document: &'a Document,
-    part: &'a Part,
-    planar: Option<&'a schema::Planar>,
-}
-
-impl Untouched<'_> {
-    /// The `restricted` part where the tips of its fingers have room.
-    fn accessible(&self, restricted: Part, arguments: &OptimizeArguments) -> Result<Part, Failure> {
-        let Some(planar) = self.planar else { return Ok(restricted) };
-        let radius = arguments.finger_radius;
-        let part = self.with_room(restricted, planar, radius)?;
-        if !part.stretches().is_empty() {
-            return Ok(part);
-        }
-        let (regions, plate) = (!planar.keep_out.is_empty(), planar.plate.is_some());
-        // Without room for any finger at all it is the file that is at fault.
-        if self.with_room(self.part.clone(), planar, 0.0)?.stretches().is_empty() {
-            let field = if regions { "keep_out" } else { "plate" };
-            let place = Place::planar().field(field);
-            return Err(self.document.error(&place, PartFault::NowhereToTouch));
-        }
-        let conditions = [
-            ("--margin".to_owned(), arguments.margin.is_some()),
-            ("--forbid".to_owned(), !arguments.forbid.is_empty()),
-            (format!("--finger-radius {}", digits(radius)), radius > 0.0),
-            ("keep_out".to_owned(), regions),
-            ("plate".to_owned(), plate),
-        ];
-        let given = conditions.into_iter().filter(|(_, given)| *given).map(|(name, _)| name);
-        let option = given.collect::<Vec<_>>().join(", ");
-        Err(Failure::Option { option, source: Box::new(OptimizeError::NowhereToTouch) })
-    }
-
-    fn with_room(&self, part: Part, planar: &schema::Planar, radius: f64) -> Result<Part, Failure> {
-        let tip = input::disc_tip(self.document, planar, radius)?;
-        part.accessible_to(&tip).map_err(|error| super::refused(self.document.name(), error))
-    }
+/// The part where the tips of its fingers have room.
+fn with_room(
+    document: &Document,
+    part: Part,
+    planar: Option<&schema::Planar>,
+    radius: f64,
+) -> Result<Part, Failure> {
+    let Some(planar) = planar else { return Ok(part) };
+    let tip = input::disc_tip(document, planar, radius)?;
+    part.accessible_to(&tip).map_err(|error| super::refused(document.name(), error))
 }
 
 /// How much of the outline fingers may touch; none if they may touch all of it.

@@ -115,10 +115,6 @@ fn part_files_that_do_not_fit_their_drawing() {
             ["forbidden[0]: ", "layer `B` has no edge"],
         ),
         (
-            "drawing = \"plate.dxf\"\nstiffness = 1\nforbidden = [{ layer = \"A\" }]",
-            ["forbidden: ", "no stretch of any edge is left"],
-        ),
-        (
             "drawing = \"plate.dxf\"\nstiffness = 1\nforbidden = [{ layer = \"A\", edge = 1 }]",
             ["forbidden[0]: ", "beside a stretch"],
         ),

@@ -153,23 +153,35 @@ fn rooms_that_are_none_are_refused_with_their_place() {
         assert_eq!((ran.code, ran.out.as_str()), (Some(1), ""), "{fields}: {}", ran.err);
         assert_says(&ran.err, &pieces);
     }
-    let all = "keep_out = [[[-99, -99], [99, -99], [99, 99], [-99, 99]]]\n";
-    folder.write("part.toml", NOTCHED.to_owned() + all);
-    let ran = folder.run("optimize part.toml --fingers 4 --finger-radius 1");
-    // Whatever the radius, no finger has room: it is the file that is at fault.
-    assert_eq!((ran.code, ran.out.as_str()), (Some(1), ""));
-    assert_says(
-        &ran.err,
-        &["part.toml:6:12: part.planar.keep_out: no stretch of any edge is left"],
-    );
-    // A frame 0.5 around the part leaves room to fingers, but not to these.
+}
+
+/// That nothing is left to touch is an answer to a sound question, whoever asked for what.
+#[test]
+fn outlines_without_room_have_no_answer() {
+    let folder = Folder::new("room-none");
+    let all = "keep_out = [[[-99, -99], [99, -99], [99, 99], [-99, 99]]]";
+    // 0.5 around the part there is room for fingers, but not for these.
     let frame = "keep_out = [[[-9, -9], [25, -9], [25, -0.5], [-9, -0.5]], \
         [[-9, 8.5], [25, 8.5], [25, 17], [-9, 17]], [[-9, -9], [-0.5, -9], [-0.5, 17], [-9, 17]], \
-        [[16.5, -9], [25, -9], [25, 17], [16.5, 17]]]\n";
-    folder.write("part.toml", NOTCHED.to_owned() + frame);
-    let ran = folder.run("optimize part.toml --fingers 4 --margin 0.1 --finger-radius 2.5");
-    assert_eq!((ran.code, ran.out.as_str()), (Some(2), ""), "{}", ran.err);
-    assert_says(&ran.err, &["--margin, --finger-radius 2.5, keep_out: no stretch of any edge"]);
+        [[16.5, -9], [25, -9], [25, 17], [16.5, 17]]]";
+    for (fields, options) in [
+        (all, ""),
+        (frame, " --margin 0.1 --finger-radius 2.5"),
+        ("margin = 50", ""),
+        ("", " --margin 50"),
+        ("forbidden = [0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11]", ""),
+        ("plate = { pitch = [100, 100], offset = [50, 50], travel = 1 }", ""),
+    ] {
+        folder.write("part.toml", format!("{NOTCHED}{fields}\n"));
+        let ran = folder.run(&format!("optimize part.toml --fingers 4{options}"));
+        assert_eq!(ran.code, Some(3), "{fields} {options}: {}", ran.err);
+        assert_says(&ran.err, &["no answer: no stretch of any edge may be touched"]);
+        let contact = "[[contacts]]\npoint = [4, 0]\n";
+        folder.write("grasp.toml", format!("{NOTCHED}{fields}\n{contact}"));
+        // Where fingers may be is no matter to a grasp that is given.
+        let given = folder.run("analyze grasp.toml");
+        assert_says(&given.err, &["not stable"]);
+    }
 }
 
 /// By hand: of the perimeter, 54, and the bore, 16, a margin takes two ends of each of 12 edges; a

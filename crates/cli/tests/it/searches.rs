@@ -161,8 +161,6 @@ fn options_that_do_not_go_together_are_wrong_usage() {
         // Only the file says how many edges there are, and how long they are.
         ("4 --forbid 12", ["--forbid 12: edge 12 does not exist", "0 to 11"]),
         ("4 --forbid 99:0-1", ["--forbid 99:0-1: edge 99 does not exist", "0 to 11"]),
-        ("4 --margin 9", ["--margin: no stretch of any edge may be touched", ""]),
-        ("4 --margin 9 --forbid 0", ["--margin and --forbid: no stretch of any edge", ""]),
         ("4 --finger-radius 1e308", ["--finger-radius: ", "the finger radius is 1"]),
     ] {
         let ran = folder.run(&format!("optimize part.toml --fingers {options}"));

@@ -91,9 +91,6 @@ pub(crate) enum PartFault {
     /// Where fingers may be on a body without faces.
     #[error("found `{found}`, which only a solid with faces has")]
     FacesOnly { found: &'static str },
-    /// Nothing is left of the outline.
-    #[error("no stretch of any edge is left for the fingers to touch")]
-    NowhereToTouch,
     /// A margin or a list of edges where there is no outline.
     #[error("found {found}, which only an `outline` has")]
     OutlineOnly { found: &'static str },
