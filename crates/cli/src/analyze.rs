@@ -82,7 +82,7 @@ struct Shown {
     /// The pictures of a page, if one is asked for.
     figures: Option<Figures>,
     /// The files that the grasp file names.
-    meshes: Vec<PathBuf>,
+    besides: Vec<PathBuf>,
 }
 
 /// Runs the command.
@@ -102,8 +102,8 @@ pub(crate) fn analyze(arguments: &AnalyzeArguments) -> Result<Answer, Failure> {
             let picture = picture::of_analysis(&analysis, &body.shape);
             let figures = question.shown(|| Figures::of_analysis(&analysis, &picture))?;
             let drawing = drawn.as_ref().map(DrawingReport::new);
-            let meshes = drawn.map(|drawn| drawn.path).into_iter().collect();
-            let shown = Shown { picture: Picture::Outline(picture), figures, meshes };
+            let besides = drawn.map(|drawn| drawn.path).into_iter().collect();
+            let shown = Shown { picture: Picture::Outline(picture), figures, besides };
             question.answer(AnalysisReport { drawing, ..AnalysisReport::planar(&analysis) }, shown)
         }
         Part::Spatial(body) => {
@@ -112,8 +112,8 @@ pub(crate) fn analyze(arguments: &AnalyzeArguments) -> Result<Answer, Failure> {
             let analysis = question.analysis(&found, body.shape.extent(), view)?;
             let picture = picture::of_analysis_in_space(&analysis, &body.shape);
             let figures = question.shown(|| Figures::of_analysis_in_space(&analysis, &picture))?;
-            let meshes = input::mesh_file(&document, &file.part).into_iter().collect();
-            let shown = Shown { picture: Picture::Solid(picture), figures, meshes };
+            let besides = input::mesh_file(&document, &file.part).into_iter().collect();
+            let shown = Shown { picture: Picture::Solid(picture), figures, besides };
             let mut report = AnalysisReport::spatial(&analysis);
             if let SpatialShape::Polyhedron(solid) = &body.shape {
                 report.warnings.extend(report::in_pieces(solid.polyhedron.pieces()));
@@ -212,7 +212,7 @@ impl<'a> Question<'a> {
     fn answer(
         &self,
         report: AnalysisReport<'_>,
-        Shown { picture, figures, meshes }: Shown,
+        Shown { picture, figures, besides }: Shown,
     ) -> Result<Answer, Failure> {
         let output = &self.arguments.output;
         let words = |paint| AnalysisText { name: self.document.name(), report: &report, paint };
@@ -222,12 +222,12 @@ impl<'a> Question<'a> {
         };
         let mut page = None;
         if let Some(figures) = &figures {
-            let inputs = Inputs { texts: &self.document.sources(), others: &meshes };
+            let inputs = Inputs { texts: &self.document.sources(), others: &besides };
             page = Some(html::of_analysis(&words(Paint::Plain), figures, inputs)?);
         }
         let failed = report.verdict.filter(|verdict| self.arguments.check && !verdict.passes);
         let failed_check = failed.map(|verdict| verdict.reasons.join("; "));
         let (picture, reason) = (Some(picture), report.reason);
-        Ok(Answer { report: text, page, picture, meshes, reason, failed_check })
+        Ok(Answer { report: text, page, picture, besides, reason, failed_check })
     }
 }

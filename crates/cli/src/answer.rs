@@ -14,7 +14,7 @@ pub(crate) struct Answer {
     /// The grasp, if there is one: without fingers nothing replaces a picture of before.
     pub(crate) picture: Option<Picture>,
     /// The files that were read besides those of the command line.
-    pub(crate) meshes: Vec<PathBuf>,
+    pub(crate) besides: Vec<PathBuf>,
     /// Why there is no quality, or why the fingers cannot hold the part.
     pub(crate) reason: Option<String>,
     /// Why load cases fail that had to pass.

@@ -95,7 +95,7 @@ fn run(
     output.check_apart(inputs.iter().copied())?;
     output::check_writable(output.files())?;
     let answer = answer()?;
-    output.check_apart(answer.meshes.iter().map(PathBuf::as_path))?;
+    output.check_apart(answer.besides.iter().map(PathBuf::as_path))?;
     finish(&answer, output)?;
     Ok(answer)
 }

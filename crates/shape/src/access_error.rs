@@ -61,6 +61,17 @@ pub enum AccessError {
         /// How many there may be.
         most: usize,
     },
+    /// The hole that a plate is given by is so far away that others cannot be told apart.
+    #[error(
+        "the offset of the plate is {pitches:.3e} pitches away from edge {edge}: give a hole that \
+         is nearer"
+    )]
+    PlateTooFar {
+        /// The edge.
+        edge: usize,
+        /// How many pitches it is away, about.
+        pitches: f64,
+    },
     /// A plate has too many holes beside an edge.
     #[error(
         "{found:.3e} holes of the plate are beside edge {edge}, expected {most:e} at most: \

@@ -32,7 +32,7 @@ impl Polygon {
     ///
     /// # Errors
     ///
-    /// [`AccessError::TooManyHolesAtEdge`].
+    /// [`AccessError::TooManyHolesAtEdge`], [`AccessError::PlateTooFar`].
     ///
     /// ```
     /// use clench_shape::{DiscTip, Polygon};
@@ -127,8 +127,7 @@ impl Line<'_> {
         let farthest = [a, b].into_iter().flat_map(|end| [index(end, 0), index(end, 1)]);
         let farthest = farthest.fold(0.0, f64::max) + travel / pitch[0].min(pitch[1]);
         if farthest >= LARGEST_INDEX {
-            let most = MOST_HOLES_AT_EDGE;
-            return Err(AccessError::TooManyHolesAtEdge { edge: number, found: farthest, most });
+            return Err(AccessError::PlateTooFar { edge: number, pitches: farthest });
         }
         let (first, last) = range(a[x].min(b[x]), a[x].max(b[x]), x);
         let slope = run[y] / run[x];

@@ -9,9 +9,8 @@
 //! | --- | --- |
 //! | where a finger can touch, and along which normal | [`Polygon::edges`], [`Polyhedron::faces`] |
 //! | the same where sides are cut into many faces, as in a mesh | [`Polyhedron::facets`] |
-//! | where a finger with a round tip can touch | [`Polyhedron::accessible`] |
 //! | the same on a round body, with the curvature | [`Ellipsoid::at_normal`], [`BoundaryPoint`] |
-//! | where a round finger has room to touch | [`Polygon::accessible`], [`Polyhedron::accessible`] |
+//! | where a round tip has room to touch | [`Polygon::accessible`], [`Polyhedron::accessible`] |
 //! | what of the boundary a given point lies on | [`Polygon::place`], [`Polyhedron::place`] |
 //! | the signed distance of a point | [`Ellipsoid::nearest`], [`Polyhedron::signed_distance`] |
 //! | how deep two bodies overlap, `delta` | [`planar::deepest_pair`], [`spatial::deepest_pair`] |

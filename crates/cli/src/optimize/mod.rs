@@ -34,7 +34,7 @@ struct Shown {
     /// The files of the command line.
     texts: Vec<Source>,
     /// The files that these name.
-    meshes: Vec<PathBuf>,
+    besides: Vec<PathBuf>,
 }
 
 /// Runs the command.
@@ -177,7 +177,7 @@ fn drawn(
 fn answered(
     arguments: &OptimizeArguments,
     words: &OptimumText<'_>,
-    Shown { picture, figures, texts, meshes }: Shown,
+    Shown { picture, figures, texts, besides }: Shown,
 ) -> Result<Answer, Failure> {
     let text = match arguments.output.format {
         Format::Text => words.to_string(),
@@ -185,11 +185,11 @@ fn answered(
     };
     let mut page = None;
     if let Some(figures) = &figures {
-        let inputs = Inputs { texts: &texts, others: &meshes };
+        let inputs = Inputs { texts: &texts, others: &besides };
         page = Some(html::of_optimum(words, figures, inputs)?);
     }
     let picture = Some(picture);
-    Ok(Answer { report: text, page, picture, meshes, reason: None, failed_check: None })
+    Ok(Answer { report: text, page, picture, besides, reason: None, failed_check: None })
 }
 
 /// The answer that there is none: no picture and no page, which would replace those of before.
@@ -210,6 +210,6 @@ fn unanswered(
         Format::Text => String::new(),
         Format::Json => report::json(&UnansweredReport { question, reason: &reason })?,
     };
-    let (page, picture, meshes) = (None, None, Vec::new());
-    Ok(Answer { report, page, picture, meshes, reason: Some(reason), failed_check: None })
+    let (page, picture, besides) = (None, None, Vec::new());
+    Ok(Answer { report, page, picture, besides, reason: Some(reason), failed_check: None })
 }

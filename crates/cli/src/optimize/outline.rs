@@ -34,8 +34,8 @@ pub(super) fn optimize(
     add_restrictions(&mut file.part, arguments);
     let effort = arguments.effort_on_outline();
     let drawing = drawn.map(DrawingReport::new);
-    let meshes: Vec<_> = drawn.map(|drawn| drawn.path.clone()).into_iter().collect();
-    arguments.output.check_apart(meshes.iter().map(PathBuf::as_path))?;
+    let besides: Vec<_> = drawn.map(|drawn| drawn.path.clone()).into_iter().collect();
+    arguments.output.check_apart(besides.iter().map(PathBuf::as_path))?;
     let warnings = super::left_aside(document, &file);
     let question = Question {
         drawing: drawing.as_ref(),
@@ -63,7 +63,7 @@ pub(super) fn optimize(
     let figures =
         super::drawn(arguments, || Figures::of_optimum(&report, &outcome.best, &picture))?;
     let (picture, texts) = (Picture::Outline(picture), document.sources());
-    let shown = Shown { picture, figures, texts, meshes };
+    let shown = Shown { picture, figures, texts, besides };
     let subject = Subject::Outline(&part);
     let words = OptimumText { name: document.name(), subject, report: &report };
     super::answered(arguments, &words, shown)

@@ -52,8 +52,8 @@ pub(super) fn optimize(
     arguments.check_for_solid().map_err(|message| Failure::Usage { message })?;
     let tip = asked_tip(arguments, document, &mut file)?;
     let mut task = Task::new(arguments, document, &file, (body, &tip))?;
-    let meshes: Vec<_> = input::mesh_file(document, &file.part).into_iter().collect();
-    arguments.output.check_apart(meshes.iter().map(PathBuf::as_path))?;
+    let besides: Vec<_> = input::mesh_file(document, &file.part).into_iter().collect();
+    arguments.output.check_apart(besides.iter().map(PathBuf::as_path))?;
     name_mesh(&mut file.part, document);
     let mut warnings = super::left_aside(document, &file);
     warnings.extend(report::in_pieces(body.shape.polyhedron.pieces()));
@@ -103,7 +103,7 @@ pub(super) fn optimize(
     let texts = document.sources().into_iter().chain(task.given).collect();
     let words = OptimumText { name: document.name(), subject, report: &report };
     let picture = Picture::Solid(picture);
-    super::answered(arguments, &words, Shown { picture, figures, texts, meshes })
+    super::answered(arguments, &words, Shown { picture, figures, texts, besides })
 }
 
 /// The tip of the fingers that are placed; the file gets the margin that was asked for, so that a
