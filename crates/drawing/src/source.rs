@@ -49,9 +49,10 @@ pub enum Reason {
     Paper,
     /// A shape of SVG without a width, a height or a path, which SVG does not draw.
     NoSize,
-    /// A style sheet, or the class of a shape that is on the part all the same: either could
-    /// hide what was read.
+    /// A style sheet, which could hide what was read.
     StyleSheet,
+    /// The class of a shape that is on the part all the same, though a style sheet could hide it.
+    Class,
 }
 
 /// How many of a kind on a layer are left aside for a reason.
@@ -103,6 +104,7 @@ impl fmt::Display for Reason {
             Self::Paper => "on paper",
             Self::NoSize => "without a size",
             Self::StyleSheet => "style sheets are not read",
+            Self::Class => "classes are not read",
         })
     }
 }

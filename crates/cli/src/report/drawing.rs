@@ -119,13 +119,15 @@ impl DrawingReport {
 
 /// What is to be said of style sheets.
 fn styles(part: &DrawnPart) -> Option<String> {
-    let unread = part.left_aside().iter().filter(|aside| aside.reason == Reason::StyleSheet);
-    let (classes, sheets): (Vec<_>, Vec<_>) = unread.partition(|aside| aside.kind == "class");
-    let classes = match classes.iter().map(|aside| aside.count).sum() {
+    let count = |reason| {
+        let found = part.left_aside().iter().filter(|aside| aside.reason == reason);
+        found.map(|aside| aside.count).sum::<usize>()
+    };
+    let classes = match count(Reason::Class) {
         0 => String::new(),
         count => format!(", such as {} with a class,", counted(count, "shape")),
     };
     let taken = "is taken as it is without them";
-    (!sheets.is_empty())
+    (count(Reason::StyleSheet) > 0)
         .then(|| format!("style sheets are not read: what they hide or change{classes} {taken}"))
 }

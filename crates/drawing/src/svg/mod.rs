@@ -182,7 +182,7 @@ impl<'a, 'input> Reader<'a, 'input> {
             return Ok(());
         }
         if self.is_styled && state.has_class {
-            self.sheet.aside.note("class", layer, Reason::StyleSheet);
+            self.sheet.aside.note("class", layer, Reason::Class);
         }
         let source = self.sheet.sources.len();
         for curves in strands {

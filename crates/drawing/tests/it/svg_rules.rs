@@ -137,14 +137,15 @@ fn style_sheets_are_named() {
         <g id=\"bores\" class=\"gone\"><circle cx=\"20\" cy=\"20\" r=\"5\"/></g>";
     let of = |style: &str| of_svg(&svg(PAGE, &format!("{style}{shapes}")), None);
     let classes = [
-        "1 class on no layer (style sheets are not read)",
-        "1 class on layer `bores` (style sheets are not read)",
+        "1 class on no layer (classes are not read)",
+        "1 class on layer `bores` (classes are not read)",
     ];
     let styled = of("<defs><style>.gone { display: none }</style></defs>");
     assert_eq!(contours(&styled).len(), 2);
     let own = "1 style on no layer (style sheets are not read)";
     assert_eq!(aside(&styled), [classes[0], classes[1], own]);
-    assert!(styled.left_aside().iter().all(|aside| aside.reason == Reason::StyleSheet));
+    let reasons: Vec<Reason> = styled.left_aside().iter().map(|aside| aside.reason).collect();
+    assert_eq!(reasons, [Reason::Class, Reason::Class, Reason::StyleSheet]);
     assert_eq!(aside(&of("<style><![CDATA[ circle { display: none } ]]></style>")).len(), 3);
     let linked = "<?xml-stylesheet href=\"looks.css\"?>\n";
     let linked = of_svg(&format!("{linked}{}", svg(PAGE, shapes)), None);
