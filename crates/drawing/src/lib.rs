@@ -28,7 +28,7 @@
 //! let bore = PI * 0.25;
 //! assert!((polygon.area() - (48.0 - bore)).abs() < PI * 0.001);
 //!
-//! let names: Vec<_> = part.edges().filter_map(|source| source.name.as_deref()).collect();
+//! let names: Vec<_> = part.edge_sources().filter_map(|source| source.name.as_deref()).collect();
 //! assert_eq!(names[..5], ["plate", "plate", "plate", "plate", "bore"]);
 //! assert_eq!(part.left_aside()[0].to_string(), "1 text on no layer (no curve)");
 //! # Ok::<(), Box<dyn std::error::Error>>(())

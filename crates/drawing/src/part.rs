@@ -85,14 +85,14 @@ impl DrawnPart {
 
     /// Where each edge of the polygon is from, in the order of the edges.
     #[must_use]
-    pub fn edges(&self) -> impl ExactSizeIterator<Item = &Source> {
+    pub fn edge_sources(&self) -> impl ExactSizeIterator<Item = &Source> {
         self.edges.iter().map(|&source| &self.sources[source])
     }
 
     /// The numbers of the edges on a layer, without regard to the case of ASCII letters.
     pub fn edges_on(&self, layer: &str) -> impl Iterator<Item = usize> {
         let on = move |(_, source): &(usize, &Source)| source.layer.eq_ignore_ascii_case(layer);
-        self.edges().enumerate().filter(on).map(|(edge, _)| edge)
+        self.edge_sources().enumerate().filter(on).map(|(edge, _)| edge)
     }
 
     /// The curves that the outline and its holes consist of, in the order of the file.

@@ -140,7 +140,8 @@ fn stiffness(
             .map(|(_, value)| *value)
             .ok_or_else(|| fault(&place(), DrawingFault::NoStiffness { layer: layer.to_owned() }))
     };
-    let each: Result<Vec<Finite>, _> = part.edges().map(|source| of_layer(&source.layer)).collect();
+    let each: Result<Vec<Finite>, _> =
+        part.edge_sources().map(|source| of_layer(&source.layer)).collect();
     each.map(|each| Some(PerPiece::Each(each)))
 }
 

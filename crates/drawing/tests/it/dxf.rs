@@ -239,7 +239,7 @@ fn edges_know_the_curves_that_they_are_from() {
     let again = "LINE COPY 10 80 20 0 11 0 21 0";
     let text = dxf(MM, &(loop_of("OUTLINE", &RECTANGLE) + &loop_of("Pocket", &square) + again));
     let part = of_dxf(&text, None);
-    let lines: Vec<usize> = part.edges().map(|source| source.line).collect();
+    let lines: Vec<usize> = part.edge_sources().map(|source| source.line).collect();
     // The head has 26 lines, and each LINE twelve of its own.
     assert_eq!(lines, [0, 1, 2, 3, 4, 5, 6, 7].map(|i| 28 + 12 * i));
     assert_eq!(part.edges_on("POCKET").collect::<Vec<_>>(), [4, 5, 6, 7]);
