@@ -11,7 +11,6 @@ use super::number::{Finite, Label, Name, PerPiece, Point, Whole};
 use super::place::Place;
 use super::schema::{self, File, Forbidden, Planar};
 use super::shield::shielded;
-use super::units;
 use crate::failure::Failure;
 
 /// A drawing that a part is from.
@@ -99,14 +98,13 @@ fn scale(unit: Option<Unit>, wanted: &mut schema::Units) -> Result<f64, DrawingF
             wanted.length = Name(unit.name().to_owned());
             Ok(1.0)
         }
-        Some(unit) if unit.name() == wanted.length.0 => Ok(1.0),
         Some(unit) => {
             let wanted = &wanted.length.0;
-            let size = units::micrometers(wanted).ok_or_else(|| DrawingFault::UnknownUnit {
+            let size = Unit::named(wanted).ok_or_else(|| DrawingFault::UnknownUnit {
                 found: unit.name(),
                 wanted: wanted.clone(),
             })?;
-            Ok(unit.micrometers() / size)
+            Ok(unit.micrometers() / size.micrometers())
         }
     }
 }

@@ -1,13 +1,13 @@
 //! Units that have a size: what a material by its name needs.
 
 use clench::contact::Units;
+use clench::drawing::Unit;
 
 use super::fault::ContactFault;
 use super::schema;
 
-/// The units of length, in meters.
-const LENGTHS: [(&str, f64); 6] =
-    [("um", 1e-6), ("mm", 1e-3), ("cm", 1e-2), ("m", 1.0), ("in", 0.0254), ("ft", 0.3048)];
+/// A meter (micrometers).
+const METER: f64 = 1e6;
 
 /// The units of force, in newtons; a pound is 0.45359237 kg, and weighs 9.80665 N per kilogram.
 const FORCES: [(&str, f64); 5] =
@@ -15,27 +15,19 @@ const FORCES: [(&str, f64); 5] =
 
 /// The sizes of the units that a file names.
 pub(super) fn sizes(units: &schema::Units) -> Result<Units, ContactFault> {
-    let size = |table: &[(&str, f64)], name: &str| {
-        table.iter().find(|(known, _)| *known == name).map(|&(_, size)| size)
-    };
-    let [length, force] = [&units.length, &units.force];
-    match (size(&LENGTHS, &length.0), size(&FORCES, &force.0)) {
-        (Some(length_m), Some(force_n)) => Ok(Units { length_m, force_n }),
-        _ => Err(ContactFault::UnknownUnits { length: length.0.clone(), force: force.0.clone() }),
+    let [length, force] = [&units.length.0, &units.force.0];
+    let newtons = FORCES.iter().find(|(known, _)| known == force);
+    match (Unit::named(length), newtons) {
+        (Some(length), Some(&(_, force_n))) => {
+            Ok(Units { length_m: length.micrometers() / METER, force_n })
+        }
+        _ => Err(ContactFault::UnknownUnits { length: length.clone(), force: force.clone() }),
     }
-}
-
-/// The size of a unit of length in micrometers, of which most units are whole numbers; none of one
-/// that is not known.
-pub(super) fn micrometers(name: &str) -> Option<f64> {
-    let (_, meters) = LENGTHS.iter().find(|(known, _)| *known == name)?;
-    // Ten digits are more than a unit has, and the product of its decimals has one rounding more.
-    Some((meters * 1e10).round() * 1e-4)
 }
 
 /// The names of the known units of length.
 pub(super) fn lengths() -> String {
-    LENGTHS.map(|(name, _)| name).join(", ")
+    Unit::all().map(Unit::name).collect::<Vec<_>>().join(", ")
 }
 
 /// The names of the known units of force.

@@ -75,7 +75,11 @@ fn drawings_that_are_none_are_told_with_help() {
             "a.dxf",
             &square,
             " --units cubit",
-            ["the drawing is in mm, which cannot be converted into `cubit`", "um, mm, cm", ""],
+            [
+                "the drawing is in mm, which cannot be converted into `cubit`",
+                "in, ft, mi, mm, cm, m, km",
+                "us-mi",
+            ],
         ),
     ] {
         assert_says(&refused(name, file, content, options), &pieces);

@@ -97,6 +97,8 @@ fn svg_drawings_are_parts_too() {
     for (size, option, unit, corner) in [
         ("width=\"4in\"", "", "in", [1.0, 1.5]),
         ("width=\"4in\"", " --units mm", "mm", [25.4, 38.1]),
+        ("width=\"4in\"", " --units mil", "mil", [1000.0, 1500.0]),
+        ("width=\"4in\"", " --units yd", "yd", [1.0 / 36.0, 1.5 / 36.0]),
         ("", " --units cm", "cm", [10.0, 15.0]),
     ] {
         folder.write("part.svg", page(size));

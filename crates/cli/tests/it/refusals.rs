@@ -321,7 +321,7 @@ fn materials_that_are_none_are_refused() {
             [
                 "contacts[0].law.finger",
                 "found length `L` and force `F`",
-                "um, mm, cm, m, in, ft and the forces mN, N, kN, kgf, lbf",
+                "us-ft, us-in, us-yd, us-mi and the forces mN, N, kN, kgf, lbf",
             ],
         ),
     ] {

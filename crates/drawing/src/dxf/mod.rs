@@ -24,33 +24,6 @@ const MOST_ENTITIES: usize = 100_000;
 /// Blocks within blocks.
 const DEEPEST: usize = 16;
 
-/// The units of `$INSUNITS` by their number.
-const UNITS: [(u8, Unit); 20] = [
-    (1, Unit::new("in", 25_400.0)),
-    (2, Unit::new("ft", 304_800.0)),
-    (3, Unit::new("mi", 5_280.0 * 304_800.0)),
-    (4, Unit::new("mm", 1e3)),
-    (5, Unit::new("cm", 1e4)),
-    (6, Unit::new("m", 1e6)),
-    (7, Unit::new("km", 1e9)),
-    (8, Unit::new("uin", 0.0254)),
-    (9, Unit::new("mil", 25.4)),
-    (10, Unit::new("yd", 914_400.0)),
-    (11, Unit::new("angstrom", 1e-4)),
-    (12, Unit::new("nm", 1e-3)),
-    (13, Unit::new("um", 1.0)),
-    (14, Unit::new("dm", 1e5)),
-    (15, Unit::new("dam", 1e7)),
-    (16, Unit::new("hm", 1e8)),
-    (21, Unit::new("us-ft", SURVEY_FOOT)),
-    (22, Unit::new("us-in", SURVEY_FOOT / 12.0)),
-    (23, Unit::new("us-yd", SURVEY_FOOT * 3.0)),
-    (24, Unit::new("us-mi", SURVEY_FOOT * 5_280.0)),
-];
-
-/// The foot of land surveys in the United States (micrometers).
-const SURVEY_FOOT: f64 = 1e6 * 1_200.0 / 3_937.0;
-
 /// The units of `$INSUNITS` in which no part is drawn.
 const ASTRONOMICAL: [(u8, &str); 4] =
     [(17, "gigameters"), (18, "astronomical units"), (19, "light years"), (20, "parsecs")];
@@ -97,8 +70,8 @@ fn unit(variable: Value<'_>) -> Result<Option<Unit>, DrawingError> {
     if is(0) {
         return Ok(None);
     }
-    if let Some((_, unit)) = UNITS.iter().find(|(known, _)| is(*known)) {
-        return Ok(Some(*unit));
+    if let Some(unit) = Unit::all().find(|unit| is(unit.number())) {
+        return Ok(Some(unit));
     }
     let named = ASTRONOMICAL.iter().find(|(known, _)| is(*known)).map(|(_, name)| *name);
     let (line, found) = (variable.line, variable.text.to_owned());

@@ -9,11 +9,7 @@ use crate::error::DrawingError;
 use crate::unit::Unit;
 
 /// A pixel is a part of an inch (micrometers).
-const PIXEL: f64 = 25_400.0 / 96.0;
-
-const MILLIMETER: Unit = Unit::new("mm", 1e3);
-const CENTIMETER: Unit = Unit::new("cm", 1e4);
-const INCH: Unit = Unit::new("in", 25_400.0);
+const PIXEL: f64 = Unit::INCH.micrometers() / 96.0;
 
 /// Width and height of a viewport, in the unit of what is in it; none if nothing says them.
 #[derive(Clone, Copy, Debug, Default)]
@@ -225,9 +221,9 @@ fn view_box(node: Node<'_, '_>, line: usize) -> Result<Option<ViewBox>, DrawingE
 /// The unit of a page whose size is in this unit; none if it is a mere number.
 const fn unit(unit: LengthUnit) -> Option<Unit> {
     match unit {
-        LengthUnit::In => Some(INCH),
-        LengthUnit::Cm => Some(CENTIMETER),
-        LengthUnit::Mm | LengthUnit::Px | LengthUnit::Pt | LengthUnit::Pc => Some(MILLIMETER),
+        LengthUnit::In => Some(Unit::INCH),
+        LengthUnit::Cm => Some(Unit::CENTIMETER),
+        LengthUnit::Mm | LengthUnit::Px | LengthUnit::Pt | LengthUnit::Pc => Some(Unit::MILLIMETER),
         LengthUnit::None | LengthUnit::Em | LengthUnit::Ex | LengthUnit::Percent => None,
     }
 }
@@ -235,11 +231,11 @@ const fn unit(unit: LengthUnit) -> Option<Unit> {
 const fn micrometers(unit: LengthUnit) -> Option<f64> {
     match unit {
         LengthUnit::Px => Some(PIXEL),
-        LengthUnit::In => Some(25_400.0),
-        LengthUnit::Cm => Some(1e4),
-        LengthUnit::Mm => Some(1e3),
-        LengthUnit::Pt => Some(25_400.0 / 72.0),
-        LengthUnit::Pc => Some(25_400.0 / 6.0),
+        LengthUnit::In => Some(Unit::INCH.micrometers()),
+        LengthUnit::Cm => Some(Unit::CENTIMETER.micrometers()),
+        LengthUnit::Mm => Some(Unit::MILLIMETER.micrometers()),
+        LengthUnit::Pt => Some(Unit::INCH.micrometers() / 72.0),
+        LengthUnit::Pc => Some(Unit::INCH.micrometers() / 6.0),
         LengthUnit::None | LengthUnit::Em | LengthUnit::Ex | LengthUnit::Percent => None,
     }
 }

@@ -2,7 +2,7 @@
 
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test that cannot go on fails")]
 
-use clench_drawing::{DrawingError, DrawnPart, Sheet};
+use clench_drawing::{DrawingError, DrawnPart, Sheet, Unit};
 use clench_testkit::assert_close;
 use clench_testkit::drawings::{dxf, loop_of, with_tables};
 
@@ -45,6 +45,11 @@ fn every_number_of_a_unit_is_known() {
         assert_eq!(unit.name(), name);
         // To the digits of the table.
         assert_close(unit.micrometers() * 1e-6, meters, 1e-14, meters, name);
+        assert_eq!(Unit::named(name), Some(unit));
+    }
+    assert_eq!(Unit::all().count(), 20);
+    for name in ["parsec", "MM", ""] {
+        assert_eq!(Unit::named(name), None);
     }
     assert_eq!(with_unit("0").unwrap().unit(), None);
     for (number, says) in [

@@ -2,6 +2,7 @@
 
 use clench::drawing::DrawingError;
 
+use crate::input::units::lengths;
 use crate::wording::{layer_name, quoted};
 
 /// Why a drawing, or what a file says of it, was refused.
@@ -18,9 +19,8 @@ pub(crate) enum DrawingFault {
     NoUnit,
     /// A unit that the drawing's cannot be converted into.
     #[error(
-        "the drawing is in {found}, which cannot be converted into {}: expected um, mm, cm, m, in \
-         or ft",
-        quoted(.wanted)
+        "the drawing is in {found}, which cannot be converted into {}: expected one of {}",
+        quoted(.wanted), lengths()
     )]
     UnknownUnit { found: &'static str, wanted: String },
     /// Two stiffnesses for one layer.
