@@ -62,6 +62,21 @@ fn a_steel_ball_on_steel_has_the_law_that_is_computed_by_hand() {
     assert_all_close(&area, &[a, a], ROUNDING, "by the modulus");
 }
 
+/// Materials have their stiffness in every unit that a drawing may have.
+#[test]
+fn a_steel_ball_is_as_stiff_in_units_of_drawings() {
+    let law = "law = { kind = \"hertz\", finger = \"steel\", part = \"steel\" }";
+    let text = format!("point = [1, 1, 0]\nfinger = {{ radius = 10 }}\npreload = 90\n{law}");
+    for (unit, meters) in [("dm", 0.1), ("mil", 25.4e-6), ("us-ft", 1200.0 / 3937.0)] {
+        let units = format!("units = {{ length = \"{unit}\", force = \"N\" }}\n{CUBE}");
+        let found = contact(&format!("steel-{unit}"), &units, &text);
+        let modulus = 207e9 / 1.82 * meters * meters;
+        let a = f64::cbrt(0.75 * 90.0 * 10.0 / modulus);
+        let area = numbers(&found["contact_ellipse"]["semi_axes"]);
+        assert_all_close(&area, &[a, a], ROUNDING, unit);
+    }
+}
+
 #[test]
 fn a_roller_across_an_ellipsoid_has_its_area_along_the_smaller_curvature() {
     // At the end of c the ellipsoid has the curvatures c / a^2 along x and c / b^2 along y.
