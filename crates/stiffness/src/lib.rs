@@ -34,7 +34,7 @@ mod grasp;
 mod load;
 
 mod equilibrium;
-mod lift_off;
+mod needed_preloads;
 mod preloads;
 mod reactions;
 mod response;
@@ -45,8 +45,8 @@ mod error;
 pub use equilibrium::{BALANCED, Equilibrium};
 pub use error::GraspError;
 pub use grasp::Grasp;
-pub use lift_off::{Basis, LeastPreloads, Needed, NeededPreloads, Remedy};
 pub use load::DeadLoad;
+pub use needed_preloads::{Basis, LeastPreloads, Needed, NeededPreloads, Remedy};
 pub use preloads::{BestPreload, Preloads};
 pub use reactions::reactions;
 pub use response::LiftOff;

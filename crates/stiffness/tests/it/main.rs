@@ -9,8 +9,8 @@
 )]
 
 mod laws;
-mod lift_off;
 mod limits;
+mod needed_preloads;
 mod random;
 mod reactions;
 mod response;

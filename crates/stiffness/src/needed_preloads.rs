@@ -267,7 +267,8 @@ impl<const N: usize, const M: usize> Grasp<N, M> {
         let wanted = Mat::from_fn(N + M, 1, |i, _| {
             if i < N { -wrench.force[i] } else { -wrench.torque[i - N] / length }
         });
-        let svd = map.svd().ok()?;
+        #[expect(clippy::expect_used, reason = "a grasp's wrench map is finite by construction")]
+        let svd = map.svd().expect("the singular values of a finite matrix converge");
         let (rank, _) = self.balanced_forces();
         let mut forces = vec![0.0; count];
         for k in 0..rank {
