@@ -1,6 +1,7 @@
 //! Why a search could not be made, or found nothing.
 
 use clench_metrics::MetricsError;
+use clench_shape::LARGEST_COORDINATE;
 
 use crate::Ended;
 
@@ -37,8 +38,8 @@ pub enum OptimizeError {
     },
     /// The finger radius is negative, or twice as much is not finite.
     #[error(
-        "the finger radius is {value}, but has to be zero or positive, and a finite number when \
-         doubled"
+        "the finger radius is {value}, but has to be zero or positive, and {LARGEST_COORDINATE:e} \
+         at most"
     )]
     FingerRadius {
         /// What was found.

@@ -6,6 +6,7 @@ use super::Part;
 use super::reason::nothing;
 use super::scene::Scene;
 use super::springs::{SpringSearch, Springs};
+use super::tips;
 use crate::search::{Floor, Leaders, Matter, choose, outcome, search};
 use crate::{Effort, Objective, OptimizeError, Outcome, Progress, Solution};
 
@@ -69,12 +70,7 @@ impl Fingers {
                 most: MOST_FINGERS,
             });
         }
-        if !(finger_radius >= 0.0 && (2.0 * finger_radius).is_finite()) {
-            return Err(OptimizeError::FingerRadius { value: finger_radius });
-        }
-        if !(clearance >= 0.0 && clearance.is_finite()) {
-            return Err(OptimizeError::Clearance { value: clearance });
-        }
+        tips::check(finger_radius, clearance)?;
         let limit = (count as f64).recip();
         if !(0.0..limit).contains(&least_share) {
             return Err(OptimizeError::LeastShare { value: least_share, limit });

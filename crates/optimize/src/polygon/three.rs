@@ -5,6 +5,7 @@ use std::ops::ControlFlow;
 use super::Part;
 use super::reason::nothing;
 use super::scene::Scene;
+use super::tips;
 use super::triplets::{TripletSearch, Triplets};
 use crate::search::{Floor, Leaders, Matter, choose, outcome, search};
 use crate::{Effort, OptimizeError, Outcome, Progress, Solution};
@@ -35,17 +36,11 @@ impl ThreeFingers {
     }
 
     fn checked(&self) -> Result<(), OptimizeError> {
-        let (force, radius) = (self.total_preload, self.finger_radius);
+        let force = self.total_preload;
         if !(force > 0.0 && force.is_finite()) {
             return Err(OptimizeError::TotalPreload { value: force });
         }
-        if !(radius >= 0.0 && (2.0 * radius).is_finite()) {
-            return Err(OptimizeError::FingerRadius { value: radius });
-        }
-        let clearance = self.clearance;
-        if !(clearance >= 0.0 && clearance.is_finite()) {
-            return Err(OptimizeError::Clearance { value: clearance });
-        }
+        tips::check(self.finger_radius, self.clearance)?;
         let limit = 1.0 / 3.0;
         if !(0.0..limit).contains(&self.least_share) {
             return Err(OptimizeError::LeastShare { value: self.least_share, limit });

@@ -6,12 +6,25 @@
 
 use clench_screw::Vector;
 use clench_screw::planar::chord;
+use clench_shape::LARGEST_COORDINATE;
 
 use super::Fingers;
 use super::bound::{Cut, Middle, Pieces};
 use super::rating::{DISTANCE_ROUNDING, Spot};
 use super::scene::{Scene, Support};
+use crate::OptimizeError;
 use crate::search::Piece;
+
+/// Checks the radius of tips, whose square is formed, and the clearance between them (length).
+pub(super) fn check(radius: f64, clearance: f64) -> Result<(), OptimizeError> {
+    if !(0.0..=LARGEST_COORDINATE).contains(&radius) {
+        return Err(OptimizeError::FingerRadius { value: radius });
+    }
+    if !(clearance >= 0.0 && clearance.is_finite()) {
+        return Err(OptimizeError::Clearance { value: clearance });
+    }
+    Ok(())
+}
 
 /// What distances fingers keep.
 #[derive(Clone, Copy, Debug)]

@@ -3,7 +3,7 @@
 use std::ops::ControlFlow;
 use std::time::Instant;
 
-use clench_shape::ExtremePoints;
+use clench_shape::{ExtremePoints, LARGEST_COORDINATE};
 
 use super::bound::Pieces;
 use super::rating::Rating;
@@ -54,12 +54,12 @@ pub struct Spacing {
 
 impl Spacing {
     fn check(&self) -> Result<(), OptimizeError> {
-        let is_length = |x: f64| x >= 0.0 && x.is_finite();
+        let is_radius = |x: f64| (0.0..=LARGEST_COORDINATE).contains(&x);
         let radii = self.given.iter().chain(&self.candidates).chain([&self.radius]);
-        if let Some(&value) = radii.into_iter().find(|&&radius| !is_length(radius)) {
+        if let Some(&value) = radii.into_iter().find(|&&radius| !is_radius(radius)) {
             return Err(OptimizeError::FingerRadius { value });
         }
-        if !is_length(self.clearance) {
+        if !(self.clearance >= 0.0 && self.clearance.is_finite()) {
             return Err(OptimizeError::Clearance { value: self.clearance });
         }
         Ok(())

@@ -194,6 +194,17 @@ fn questions_that_make_no_sense_are_refused() {
         let fault = ask(Fingers { count: found, ..four }, Effort::default());
         assert_eq!(fault, OptimizeError::FingerCount { found, fewest, most });
     }
+    for value in [-1.0, 1e131, f64::INFINITY] {
+        let fault = ask(Fingers { finger_radius: value, ..four }, Effort::default());
+        assert_eq!(fault, OptimizeError::FingerRadius { value });
+        let asked = ThreeFingers { finger_radius: value, ..ThreeFingers::with_preload(1.0) };
+        let fault = three_fingers(&rectangle(), &asked, &Effort::default(), unwatched);
+        assert_eq!(fault.unwrap_err(), OptimizeError::FingerRadius { value });
+    }
+    // As large as can be they overlap each other on any part.
+    let asked = Fingers { finger_radius: 1e130, ..four };
+    let fault = ask(asked, Effort::default());
+    assert_eq!(fault, OptimizeError::ConditionsNeverMet { fingers: 4, combinations: 35.0 });
     for value in [-1.0, f64::INFINITY] {
         let fault = ask(Fingers { clearance: value, ..four }, Effort::default());
         assert_eq!(fault, OptimizeError::Clearance { value });
