@@ -38,8 +38,8 @@ pub enum OptimizeError {
     },
     /// The finger radius is negative, or twice as much is not finite.
     #[error(
-        "the finger radius is {value}, but has to be zero or positive, and {LARGEST_COORDINATE:e} \
-         at most"
+        "the finger radius is {value:?}, but has to be zero or positive, and \
+         {LARGEST_COORDINATE:e} at most"
     )]
     FingerRadius {
         /// What was found.
