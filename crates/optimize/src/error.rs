@@ -36,7 +36,7 @@ pub enum OptimizeError {
         /// What was found.
         value: f64,
     },
-    /// The finger radius is negative, or twice as much is not finite.
+    /// The finger radius is negative, or larger than any part.
     #[error(
         "the finger radius is {value:?}, but has to be zero or positive, and \
          {LARGEST_COORDINATE:e} at most"
