@@ -58,7 +58,6 @@ mod curve;
 mod spline;
 
 mod chain;
-mod nest;
 
 mod wording;
 

@@ -6,7 +6,6 @@ use kurbo::{Point, Rect};
 use crate::chain::{Chain, Contour, Joined, joined, without_repeats};
 use crate::curve::{Corners, Curve};
 use crate::error::DrawingError;
-use crate::nest::{check_nesting, outline_first};
 use crate::sheet::{Sheet, Strand};
 use crate::source::{LeftAside, Source};
 
@@ -61,12 +60,7 @@ impl DrawnPart {
         let Joined { contours, largest_gap } = joined(&chains, sources, JOIN * diagonal)
             .map_err(|error| error.with_left_aside(&left_aside))?;
         let contours = outline_first(contours);
-        let polygon = polygon(&contours, sources);
-        // Of contours that cross each other neither is in the other.
-        if !matches!(polygon, Err(DrawingError::Crossing { .. })) {
-            check_nesting(&contours, sources)?;
-        }
-        let polygon = polygon?;
+        let polygon = polygon(&contours, sources)?;
         let repeat = |[one, other]: &[usize; 2]| Repeat {
             left_out: sources[*one].clone(),
             kept: sources[*other].clone(),
@@ -166,6 +160,27 @@ fn flattened(
     strands.iter().map(chain).collect()
 }
 
+/// The contours, the largest one, which is the outline, first.
+fn outline_first(mut contours: Vec<Contour>) -> Vec<Contour> {
+    let areas: Vec<f64> = contours.iter().map(|contour| area(&contour.corners).abs()).collect();
+    let largest = (0..areas.len()).max_by(|&one, &other| areas[one].total_cmp(&areas[other]));
+    // Of equals the first one is the outline.
+    let largest = largest.and_then(|one| areas.iter().position(|area| *area >= areas[one]));
+    if let Some(outline) = largest {
+        contours[..=outline].rotate_right(1);
+    }
+    contours
+}
+
+/// The area within a contour, positive if it runs counter-clockwise; about its first corner, so
+/// that it does not suffer far away from the origin.
+fn area(corners: &[Point]) -> f64 {
+    let first = corners[0];
+    let doubled: f64 =
+        corners.windows(2).map(|pair| (pair[0] - first).cross(pair[1] - first)).sum();
+    doubled * 0.5
+}
+
 /// Whether a curve of a contour is not straight.
 fn is_flattened(contours: &[Contour], strands: &[Strand]) -> bool {
     let is_bent = |curve: &Curve| !matches!(curve, Curve::Line(_));
@@ -186,10 +201,20 @@ fn polygon(contours: &[Contour], sources: &[Source]) -> Result<Polygon, DrawingE
     let outline: Vec<[f64; 2]> = loops.next().unwrap_or_default();
     let holes: Vec<Vec<[f64; 2]>> = loops.collect();
     Polygon::with_holes(&outline, &holes).map_err(|error| {
+        // The outline is contour 0, and the holes follow it.
+        let contour = |number: usize| sources[contours[number].sources[0]].clone();
         let edges = match error {
             PolygonError::CrossingEdges { first, second }
             | PolygonError::RepeatedCorner { first, second } => [first, second],
             PolygonError::FoldedEdge { edge } => [edge; 2],
+            PolygonError::HoleOutside { hole } => {
+                let curves = Box::new([contour(0), contour(hole + 1)]);
+                return DrawingError::SecondPart { curves };
+            }
+            PolygonError::HoleInHole { hole, within } => {
+                let curves = Box::new([contour(within + 1), contour(hole + 1)]);
+                return DrawingError::Island { curves };
+            }
             _ => return DrawingError::Outline(error),
         };
         let source = |edge: usize| {

@@ -44,7 +44,7 @@ pub(crate) fn optimize(arguments: &OptimizeArguments) -> Result<Answer, Failure>
     let drawn = input::drawn(&document, &mut file, &asked)?;
     match input::touchable_part(&document, &file.part)? {
         TouchablePart::Outline(part) => {
-            outline::optimize(arguments, (&document, drawn.as_ref()), file, &part)
+            outline::optimize(arguments, (&document, drawn.as_ref()), file, *part)
         }
         TouchablePart::Solid(body) => solid::optimize(arguments, &document, file, &body),
     }

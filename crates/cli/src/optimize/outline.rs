@@ -26,10 +26,10 @@ pub(super) fn optimize(
     arguments: &OptimizeArguments,
     (document, drawn): (&Document, Option<&Drawn>),
     mut file: schema::File,
-    part: &Part,
+    part: Part,
 ) -> Result<Answer, Failure> {
     arguments.check_for_outline().map_err(|message| Failure::Usage { message })?;
-    let part = restricted(part.clone(), arguments)?;
+    let part = restricted(part, arguments)?;
     let part = with_room(document, part, file.part.planar.as_ref(), arguments.finger_radius)?;
     add_restrictions(&mut file.part, arguments);
     let effort = arguments.effort_on_outline();
